@@ -1,0 +1,142 @@
+#include "file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "geometry/memory.h"
+
+/* ---- reading ----------------------------------------------------------------------------------------------
+ */
+
+/* Opens for reading what can be read to an end; -1 and errno otherwise. `expected` is its size, or 0 for a
+ * pipe. */
+static int open_whole(const char *path, size_t *expected) {
+    int file = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
+    if (file < 0) return -1;
+    struct stat about;
+    int why = 0;
+    if (fstat(file, &about) != 0)
+        why = errno;
+    else if (S_ISDIR(about.st_mode))
+        why = EISDIR;
+    else if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode))
+        why = ENXIO;
+    if (why) {
+        close(file);
+        errno = why;
+        return -1;
+    }
+    *expected = S_ISREG(about.st_mode) && about.st_size > 0 ? (size_t)about.st_size : 0;
+    return file;
+}
+
+/* Reads up to `size` bytes, fewer only at the end of the file; -1 and errno on an error. */
+static ssize_t read_up_to(int file, uint8_t *bytes, size_t size) {
+    size_t done = 0;
+    while (done < size) {
+        ssize_t got = read(file, bytes + done, size - done);
+        if (got == 0) break;
+        if (got > 0)
+            done += (size_t)got;
+        else if (errno != EINTR)
+            return -1;
+    }
+    return (ssize_t)done;
+}
+
+/* Reads on until the end; one byte of room more than expected shows the end without growing. */
+static mt_status read_all(int file, size_t expected, size_t limit, uint8_t **bytes, size_t *length) {
+    size_t room = expected ? expected + 1 : 1 << 16, done = 0;
+    uint8_t *all = NULL;
+    for (;;) {
+        uint8_t *grown = mt_grow(all, room, 1);
+        ssize_t got = grown ? read_up_to(file, grown + done, room - done) : 0;
+        if (grown) all = grown;
+        if (grown && got >= 0) done += (size_t)got;
+        mt_status status = !grown ? MT_NO_MEMORY : got < 0 ? MT_NO_FILE : done > limit ? MT_TOO_LARGE : MT_OK;
+        if (status != MT_OK) {
+            mt_free(all);
+            return status;
+        }
+        if (done < room) break;
+        room *= 2;
+    }
+    *bytes = all;
+    *length = done;
+    return MT_OK;
+}
+
+mt_status mt_file_read(const char *path, size_t limit, uint8_t **bytes, size_t *length) {
+    size_t expected;
+    int file = open_whole(path, &expected);
+    if (file < 0) return MT_NO_FILE;
+    mt_status status = expected > limit ? MT_TOO_LARGE : read_all(file, expected, limit, bytes, length);
+    int why = errno;
+    close(file);
+    errno = why;
+    return status;
+}
+
+/* ---- writing ----------------------------------------------------------------------------------------------
+ */
+
+/* Something that is no regular file must not be renamed over. */
+static bool may_replace(const char *path) {
+    struct stat about;
+    if (stat(path, &about) != 0) return true;
+    if (S_ISREG(about.st_mode)) return true;
+    errno = S_ISDIR(about.st_mode) ? EISDIR : EINVAL;
+    return false;
+}
+
+/* A new file in the directory of `path`, under a short name that no other has; -1 and errno otherwise. `name`
+ * has room for the directory and 64 bytes. */
+static int create_beside(const char *path, char *name) {
+    const char *slash = strrchr(path, '/');
+    size_t directory = slash ? (size_t)(slash + 1 - path) : 0;
+    memcpy(name, path, directory);
+    for (unsigned attempt = 0; attempt < 10000; attempt++) {
+        snprintf(name + directory, 64, ".morphotype-%ld-%u", (long)getpid(), attempt);
+        int file = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); /* the umask takes its part */
+        if (file >= 0 || errno != EEXIST) return file;
+    }
+    return -1;
+}
+
+static bool write_all(int file, const char *bytes, size_t length) {
+    while (length) {
+        ssize_t wrote = write(file, bytes, length);
+        if (wrote < 0 && errno == EINTR) continue;
+        if (wrote < 0) return false;
+        bytes += wrote;
+        length -= (size_t)wrote;
+    }
+    return true;
+}
+
+mt_status mt_file_write(const char *path, const void *bytes, size_t length) {
+    if (!may_replace(path)) return MT_CANNOT_WRITE;
+    char *name = mt_new(strlen(path) + 64, 1);
+    if (!name) return MT_NO_MEMORY;
+    int file = create_beside(path, name);
+    bool done = false;
+    if (file >= 0) {
+        done = write_all(file, bytes, length);
+        int why = errno;
+        if (close(file) != 0)
+            done = false;
+        else if (!done)
+            errno = why;
+        done = done && rename(name, path) == 0;
+        why = errno;
+        if (!done) unlink(name);
+        errno = why;
+    }
+    mt_free(name);
+    return done ? MT_OK : MT_CANNOT_WRITE;
+}

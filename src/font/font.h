@@ -1,0 +1,45 @@
+/* Reading fonts, through FreeType. */
+#ifndef MT_FONT_H
+#define MT_FONT_H
+
+#include "geometry/outline.h"
+#include "morphotype.h"
+
+/* Font-wide figures that a blend interpolates, in font units unless said otherwise. */
+typedef struct mt_metrics {
+    double hhea_ascender, hhea_descender, hhea_line_gap;
+    double typo_ascender, typo_descender, typo_line_gap; /* descenders are negative */
+    double win_ascent, win_descent;                      /* both positive */
+    double x_height, cap_height;
+    double underline_position, underline_thickness; /* post's: position is of the stroke's top */
+    double strikeout_position, strikeout_size;
+    double subscript_size[2], subscript_offset[2];     /* x, y */
+    double superscript_size[2], superscript_offset[2]; /* x, y */
+    double italic_angle;              /* degrees, anticlockwise from upright: negative leans right */
+    double weight_class, width_class; /* OS/2: 1 … 1000, 1 … 9 */
+    double caret_offset;
+    bool monospaced, use_typo_metrics;
+} mt_metrics;
+
+/* What the font says of itself; UTF-8, each NULL when it says nothing; belong to the font. */
+typedef struct mt_names {
+    const char *family, *style, *version, *copyright, *license, *license_url, *designer, *trademark;
+} mt_names;
+
+int mt_font_units(const mt_font *font);        /* per em */
+const char *mt_font_spec(const mt_font *font); /* as it was opened */
+void mt_font_metrics(const mt_font *font, mt_metrics *metrics);
+void mt_font_names(const mt_font *font, mt_names *names);
+int64_t mt_font_modified(const mt_font *font);   /* head's time: seconds since 1904; 0 when there is none */
+uint16_t mt_font_embedding(const mt_font *font); /* OS/2 fsType */
+
+/* The glyph of a code point; 0 when there is none. */
+uint32_t mt_font_glyph(const mt_font *font, uint32_t code_point);
+
+/* The glyph's outline, unhinted, references resolved, on the grid (MT_EM to the em), and its advance in grid
+ * units. MT_NO_MEMORY, MT_BAD_GLYPH, MT_TOO_LARGE. Where FreeType itself ran out of memory the font gives no
+ * glyph any more: every later call is MT_NO_MEMORY. Not for two threads at once. */
+mt_status mt_font_outline(mt_font *font, uint32_t glyph, mt_arena *arena, mt_outline *outline,
+                          double *advance);
+
+#endif

@@ -1,0 +1,154 @@
+#include "font/recipe.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+int mt_recipe_units(const mt_font *a, const mt_font *b) {
+    int units = mt_font_units(a) > mt_font_units(b) ? mt_font_units(a) : mt_font_units(b);
+    while (units < 1000) units *= 2;
+    return units;
+}
+
+/* ---- metrics
+ * ------------------------------------------------------------------------------------------------ */
+
+/* (1 - t)·a + t·b, each given in its own font's units, in those of the new font. */
+typedef struct mt_scale {
+    double a, b;
+} mt_scale;
+
+static double mixed(mt_scale scale, double a, double b) {
+    return scale.a * a + scale.b * b;
+}
+
+static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale s, double t) {
+    mt_scale plain = {1 - t, t}; /* for what is not measured in font units */
+    return (mt_metrics){
+        .hhea_ascender = mixed(s, a->hhea_ascender, b->hhea_ascender),
+        .hhea_descender = mixed(s, a->hhea_descender, b->hhea_descender),
+        .hhea_line_gap = mixed(s, a->hhea_line_gap, b->hhea_line_gap),
+        .typo_ascender = mixed(s, a->typo_ascender, b->typo_ascender),
+        .typo_descender = mixed(s, a->typo_descender, b->typo_descender),
+        .typo_line_gap = mixed(s, a->typo_line_gap, b->typo_line_gap),
+        .win_ascent = mixed(s, a->win_ascent, b->win_ascent),
+        .win_descent = mixed(s, a->win_descent, b->win_descent),
+        .x_height = mixed(s, a->x_height, b->x_height),
+        .cap_height = mixed(s, a->cap_height, b->cap_height),
+        .underline_position = mixed(s, a->underline_position, b->underline_position),
+        .underline_thickness = mixed(s, a->underline_thickness, b->underline_thickness),
+        .strikeout_position = mixed(s, a->strikeout_position, b->strikeout_position),
+        .strikeout_size = mixed(s, a->strikeout_size, b->strikeout_size),
+        .subscript_size = {mixed(s, a->subscript_size[0], b->subscript_size[0]),
+                           mixed(s, a->subscript_size[1], b->subscript_size[1])},
+        .subscript_offset = {mixed(s, a->subscript_offset[0], b->subscript_offset[0]),
+                             mixed(s, a->subscript_offset[1], b->subscript_offset[1])},
+        .superscript_size = {mixed(s, a->superscript_size[0], b->superscript_size[0]),
+                             mixed(s, a->superscript_size[1], b->superscript_size[1])},
+        .superscript_offset = {mixed(s, a->superscript_offset[0], b->superscript_offset[0]),
+                               mixed(s, a->superscript_offset[1], b->superscript_offset[1])},
+        .italic_angle = mixed(plain, a->italic_angle, b->italic_angle),
+        .weight_class = mixed(plain, a->weight_class, b->weight_class),
+        .width_class = mixed(plain, a->width_class, b->width_class),
+        .caret_offset = mixed(s, a->caret_offset, b->caret_offset),
+        .monospaced = a->monospaced && b->monospaced,
+        .use_typo_metrics = a->use_typo_metrics && b->use_typo_metrics,
+    };
+}
+
+/* ---- names
+ * -------------------------------------------------------------------------------------------------- */
+
+static const char *or_empty(const char *text) {
+    return text ? text : "";
+}
+
+/* Both texts, or the one when the other is the same or missing; NULL when both are missing. *failed on no
+ * memory. */
+static const char *both(const char *a, const char *b, const char *between, mt_arena *arena, bool *failed) {
+    if (!a || !b || strcmp(a, b) == 0) return a ? a : b;
+    size_t room = strlen(a) + strlen(between) + strlen(b) + 1;
+    char *text = mt_arena_new(arena, room, 1);
+    if (text)
+        snprintf(text, room, "%s%s%s", a, between, b);
+    else
+        *failed = true;
+    return text;
+}
+
+/* FNV-1a (Fowler, Noll, Vo), folded to 16 bits: enough to keep the families of different pairs apart in a
+ * font menu. */
+static unsigned short_hash(const char *text, unsigned hash) {
+    for (; *text; text++) hash = (hash ^ (unsigned char)*text) * 16777619u;
+    return hash;
+}
+
+enum { NAME_ROOM = 64, RECIPE_ROOM = 1024 };
+
+static mt_status fill_names(const mt_names *a, const mt_names *b, double t, const char *family,
+                            mt_arena *arena, mt_font_data *data) {
+    char *made_family = mt_arena_new(arena, NAME_ROOM, 1), *style = mt_arena_new(arena, NAME_ROOM, 1);
+    char *unique = mt_arena_new(arena, RECIPE_ROOM, 1), *recipe = mt_arena_new(arena, RECIPE_ROOM, 1);
+    if (!made_family || !style || !unique || !recipe) return MT_NO_MEMORY;
+    const char *sources[4] = {or_empty(a->family), or_empty(a->style), or_empty(b->family),
+                              or_empty(b->style)};
+    unsigned hash = 2166136261u;
+    for (int i = 0; i < 4; i++) hash = short_hash(sources[i], hash) * 16777619u;
+    snprintf(made_family, NAME_ROOM, "Morphotype %04X", (hash >> 16 ^ hash) & 0xFFFF);
+    snprintf(style, NAME_ROOM, "At %g", t);
+    snprintf(recipe, RECIPE_ROOM, "Between %s %s (T = 0) and %s %s (T = 1), at T = %g, by Morphotype %s",
+             sources[0], sources[1], sources[2], sources[3], t, MORPHOTYPE_VERSION);
+    data->family = family ? family : made_family;
+    data->style = style;
+    snprintf(unique, RECIPE_ROOM, "Morphotype %s: %s %s, %s %s, %g", MORPHOTYPE_VERSION, sources[0],
+             sources[1], sources[2], sources[3], t);
+    data->unique_id = unique;
+    data->version = "Version 1.000; Morphotype " MORPHOTYPE_VERSION;
+    data->description = recipe;
+    bool failed = false;
+    data->copyright = both(a->copyright, b->copyright, "\n", arena, &failed);
+    data->license = both(a->license, b->license, "\n", arena, &failed);
+    data->license_url = both(a->license_url, b->license_url, " ", arena, &failed);
+    return failed ? MT_NO_MEMORY : MT_OK;
+}
+
+/* ---- dates and rights
+ * ---------------------------------------------------------------------------------------- */
+
+/* Seconds since 1904: SOURCE_DATE_EPOCH (seconds since 1970) when it is set, else the newer of the sources'
+ * own dates. */
+static int64_t date_of(const mt_font *a, const mt_font *b) {
+    const char *epoch = getenv("SOURCE_DATE_EPOCH");
+    char *end;
+    long long seconds = epoch ? strtoll(epoch, &end, 10) : 0;
+    if (epoch && end != epoch && *end == '\0' && seconds >= 0 && seconds < INT32_MAX)
+        return seconds + 2082844800;
+    int64_t in_a = mt_font_modified(a), in_b = mt_font_modified(b);
+    return in_a > in_b ? in_a : in_b;
+}
+
+/* OS/2 fsType, bits 0 to 3: 2 restricted, 4 preview and print, 8 editable, 0 installable. The stricter of the
+ * two holds, and so do both fonts' bits 8 (no subsetting) and 9 (bitmap embedding only). */
+static uint16_t stricter(uint16_t a, uint16_t b) {
+    static const uint16_t by_strictness[] = {2, 4, 8};
+    uint16_t further = (a | b) & 0x300;
+    for (int i = 0; i < 3; i++)
+        if ((a | b) & by_strictness[i]) return by_strictness[i] | further;
+    return further;
+}
+
+mt_status mt_recipe_fill(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
+                         mt_font_data *data) {
+    mt_metrics in_a, in_b;
+    mt_font_metrics(a, &in_a);
+    mt_font_metrics(b, &in_b);
+    mt_scale scale = {(1 - t) * data->units / mt_font_units(a), t * data->units / mt_font_units(b)};
+    data->metrics = mix_metrics(&in_a, &in_b, scale, t);
+    data->created = data->modified = date_of(a, b);
+    data->embedding = stricter(mt_font_embedding(a), mt_font_embedding(b));
+    mt_names names_a, names_b;
+    mt_font_names(a, &names_a);
+    mt_font_names(b, &names_b);
+    return fill_names(&names_a, &names_b, t, family, arena, data);
+}

@@ -1,0 +1,16 @@
+/* What a blended font says of itself: metrics, names and dates made from those of its two sources. */
+#ifndef MT_RECIPE_H
+#define MT_RECIPE_H
+
+#include "font/write.h"
+
+/* The new font's units per em: the larger of the sources', doubled until it is at least 1000. */
+int mt_recipe_units(const mt_font *a, const mt_font *b);
+
+/* Fills the metrics, names, dates and embedding bits of `data` for the font at t; its units must be set.
+ * `family` replaces the family name made from the sources' when it is not NULL. The strings belong to the
+ * arena. MT_NO_MEMORY. */
+mt_status mt_recipe_fill(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
+                         mt_font_data *data);
+
+#endif

@@ -1,0 +1,94 @@
+/* A font from plain data: each table made by hand, HarfBuzz's face builder for the container and its
+ * checksums. */
+#include "write_tables.h"
+
+#include <hb.h>
+#include <string.h>
+
+#include "geometry/memory.h"
+
+/* glyf comes first: it fills in the offsets that head and loca need. */
+static const struct {
+    hb_tag_t tag;
+    mt_write_table write;
+} writers[] = {
+    {HB_TAG('g', 'l', 'y', 'f'), mt_write_glyf}, {HB_TAG('l', 'o', 'c', 'a'), mt_write_loca},
+    {HB_TAG('h', 'm', 't', 'x'), mt_write_hmtx}, {HB_TAG('h', 'h', 'e', 'a'), mt_write_hhea},
+    {HB_TAG('c', 'm', 'a', 'p'), mt_write_cmap}, {HB_TAG('h', 'e', 'a', 'd'), mt_write_head},
+    {HB_TAG('m', 'a', 'x', 'p'), mt_write_maxp}, {HB_TAG('O', 'S', '/', '2'), mt_write_os2},
+    {HB_TAG('p', 'o', 's', 't'), mt_write_post}, {HB_TAG('n', 'a', 'm', 'e'), mt_write_name},
+};
+
+enum { TABLE_COUNT = sizeof writers / sizeof *writers };
+
+/* Beyond this HarfBuzz would count bytes in too few bits. */
+#define FONT_BYTES_MAX ((size_t)1 << 31)
+
+static mt_status write_tables(const mt_font_data *data, mt_summary *summary, mt_table *tables) {
+    size_t length = 0;
+    for (int i = 0; i < TABLE_COUNT; i++) {
+        writers[i].write(data, summary, &tables[i]);
+        if (tables[i].failed) return MT_NO_MEMORY;
+        length += tables[i].length;
+        if (length > FONT_BYTES_MAX) return MT_TOO_LARGE;
+    }
+    return MT_OK;
+}
+
+/* ---- the container ----------------------------------------------------------------------------------------
+ */
+
+static bool add_table(hb_face_t *builder, hb_tag_t tag, const mt_table *table) {
+    hb_blob_t *blob = hb_blob_create_or_fail((const char *)table->bytes, (unsigned)table->length,
+                                             HB_MEMORY_MODE_READONLY, NULL, NULL);
+    bool added = blob && hb_face_builder_add_table(builder, tag, blob);
+    hb_blob_destroy(blob);
+    return added;
+}
+
+static mt_status copy_blob(hb_blob_t *blob, uint8_t **bytes, size_t *length) {
+    unsigned size;
+    const char *from = hb_blob_get_data(blob, &size);
+    if (size == 0) return MT_NO_MEMORY; /* what HarfBuzz gives when it has none */
+    uint8_t *copy = mt_new(size, 1);
+    if (!copy) return MT_NO_MEMORY;
+    *bytes = memcpy(copy, from, size);
+    *length = size;
+    return MT_OK;
+}
+
+static mt_status assemble(const mt_table *tables, uint8_t **bytes, size_t *length) {
+    hb_face_t *builder = hb_face_builder_create();
+    bool added = true;
+    for (int i = 0; i < TABLE_COUNT && added; i++) added = add_table(builder, writers[i].tag, &tables[i]);
+    mt_status status = MT_NO_MEMORY;
+    if (added) {
+        hb_blob_t *blob = hb_face_reference_blob(builder);
+        status = copy_blob(blob, bytes, length);
+        hb_blob_destroy(blob);
+    }
+    hb_face_destroy(builder);
+    return status;
+}
+
+/* ---- the whole --------------------------------------------------------------------------------------------
+ */
+
+mt_status mt_font_write(const mt_font_data *data, uint8_t **bytes, size_t *length) {
+    mt_table tables[TABLE_COUNT] = {0};
+    mt_summary summary = {0};
+    mt_status status = mt_font_data_check(data);
+    if (status != MT_OK) return status;
+    summary.offsets = mt_new((size_t)data->glyph_count + 1, sizeof *summary.offsets);
+    if (!summary.offsets) return MT_NO_MEMORY;
+    mt_summarise(data, &summary);
+    status = write_tables(data, &summary, tables);
+    if (status == MT_OK) status = assemble(tables, bytes, length);
+    for (int i = 0; i < TABLE_COUNT; i++) mt_table_free(&tables[i]);
+    mt_free(summary.offsets);
+    return status;
+}
+
+void mt_bytes_free(uint8_t *bytes) {
+    mt_free(bytes);
+}

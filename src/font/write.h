@@ -1,0 +1,42 @@
+/* Writing a TrueType font from plain data. */
+#ifndef MT_WRITE_H
+#define MT_WRITE_H
+
+#include "font/font.h"
+
+typedef struct mt_glyf_point {
+    int16_t x, y;
+    bool on; /* on the curve */
+} mt_glyf_point;
+
+/* A glyph as 'glyf' has it: contours of on- and off-curve points, font units. */
+typedef struct mt_glyf {
+    uint16_t advance;
+    int contour_count;
+    int *ends; /* the last point of each contour */
+    mt_glyf_point *points;
+} mt_glyf;
+
+typedef struct mt_char {
+    uint32_t code_point;
+    uint16_t glyph;
+} mt_char;
+
+typedef struct mt_font_data {
+    int units;       /* per em, 16 … 16384 */
+    int glyph_count; /* 1 … MT_GLYPHS_MAX; glyph 0 is .notdef */
+    mt_glyf *glyphs;
+    int char_count;
+    mt_char *chars; /* ascending */
+    mt_metrics metrics;
+    int64_t created, modified; /* seconds since 1904 */
+    uint16_t embedding;        /* OS/2 fsType */
+    /* UTF-8; NULL ones are left out. The first three are required. */
+    const char *family, *style, *unique_id, *version, *copyright, *license, *license_url, *description;
+} mt_font_data;
+
+/* Writes glyf, loca, hmtx, cmap (formats 4 and 12), head, hhea, maxp, OS/2, post and name, into bytes for
+ * mt_bytes_free. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_PARAMETER. */
+mt_status mt_font_write(const mt_font_data *data, uint8_t **bytes, size_t *length);
+
+#endif

@@ -1,0 +1,56 @@
+/* The font as a whole: 'head', 'maxp' and 'post'. */
+#include "write_tables.h"
+
+/* The first decimal number of the version text, such as 1.25 of "Version 1.25; …"; 1 without one. */
+static double revision(const char *version) {
+    double value = 0, place = 1;
+    while (version && *version && (*version < '0' || *version > '9')) version++;
+    if (!version || !*version) return 1;
+    for (; *version >= '0' && *version <= '9'; version++) value = 10 * value + (*version - '0');
+    if (*version == '.') version++;
+    for (; *version >= '0' && *version <= '9'; version++) value += (*version - '0') * (place /= 10);
+    return value;
+}
+
+/* checkSumAdjustment is left 0: HarfBuzz fills it in. */
+void mt_write_head(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
+    enum { BASELINE_AT_0 = 1, LEFT_BEARING_AT_0 = 2, SMALLEST_READABLE = 8, STRONGLY_LEFT_TO_RIGHT = 2 };
+    mt_table_32(table, 0x00010000);
+    mt_table_fixed(table, revision(data->version));
+    mt_table_32(table, 0);
+    mt_table_32(table, 0x5F0F3CF5); /* magicNumber */
+    mt_table_16(table, BASELINE_AT_0 | LEFT_BEARING_AT_0);
+    mt_table_16(table, data->units);
+    mt_table_64(table, data->created);
+    mt_table_64(table, data->modified);
+    mt_table_16(table, summary->bounds.x_min);
+    mt_table_16(table, summary->bounds.y_min);
+    mt_table_16(table, summary->bounds.x_max);
+    mt_table_16(table, summary->bounds.y_max);
+    mt_table_16(table, (summary->bold ? 1 : 0) | (summary->italic ? 2 : 0)); /* macStyle */
+    mt_table_16(table, SMALLEST_READABLE);
+    mt_table_16(table, STRONGLY_LEFT_TO_RIGHT); /* fontDirectionHint; deprecated */
+    mt_table_16(table, mt_loca_is_long(data, summary));
+    mt_table_16(table, 0); /* glyphDataFormat */
+}
+
+void mt_write_maxp(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
+    mt_table_32(table, 0x00010000);
+    mt_table_16(table, data->glyph_count);
+    mt_table_16(table, summary->max_points);
+    mt_table_16(table, summary->max_contours);
+    mt_table_zeros(table, 4);  /* of composite glyphs: there are none */
+    mt_table_16(table, 1);     /* maxZones */
+    mt_table_zeros(table, 16); /* of instructions, and of composite glyphs */
+}
+
+/* Version 3: without glyph names. */
+void mt_write_post(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
+    (void)summary;
+    mt_table_32(table, 0x00030000);
+    mt_table_fixed(table, data->metrics.italic_angle);
+    mt_table_i16_of(table, data->metrics.underline_position);
+    mt_table_i16_of(table, data->metrics.underline_thickness);
+    mt_table_32(table, data->metrics.monospaced);
+    mt_table_zeros(table, 16); /* memory use when downloaded: unknown */
+}

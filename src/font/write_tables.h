@@ -1,0 +1,55 @@
+/* The tables of a font in writing, one function each; only write.c calls them. `summary` is what several
+ * tables need to know of all glyphs. Every size and count was checked before (write_check.c). */
+#ifndef MT_WRITE_TABLES_H
+#define MT_WRITE_TABLES_H
+
+#include "table.h"
+#include "write.h"
+
+/* Font units; all zero for a glyph without points. */
+typedef struct mt_bounds {
+    int x_min, y_min, x_max, y_max;
+} mt_bounds;
+
+typedef struct mt_summary {
+    mt_bounds bounds;                    /* of all glyphs that have points */
+    int max_points, max_contours;        /* of a glyph */
+    int max_advance;                     /* of all glyphs */
+    int min_left, min_right, max_extent; /* side bearings, and the farthest xMax: of the glyphs with points */
+    bool bold, italic;                   /* as the style links of 'name', head and OS/2 tell it */
+    uint32_t *offsets;                   /* into glyf: glyph_count + 1 of them */
+} mt_summary;
+
+/* write_check.c. MT_OK, MT_BAD_PARAMETER or MT_TOO_LARGE. */
+mt_status mt_font_data_check(const mt_font_data *data);
+
+/* write_summary.c */
+int mt_glyf_point_count(const mt_glyf *glyph);
+mt_bounds mt_glyf_bounds(const mt_glyf *glyph);
+void mt_summarise(const mt_font_data *data, mt_summary *summary); /* all but the offsets */
+/* The one of Regular, Bold, Italic and Bold Italic that the font is linked as. */
+const char *mt_linked_style(const mt_summary *summary);
+
+typedef void (*mt_write_table)(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+
+void mt_write_glyf(const mt_font_data *data, const mt_summary *summary,
+                   mt_table *table); /* fills summary->offsets */
+void mt_write_loca(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+void mt_write_hmtx(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+void mt_write_hhea(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+void mt_write_cmap(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+void mt_write_head(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+void mt_write_maxp(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+void mt_write_os2(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+void mt_write_post(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+void mt_write_name(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+
+/* write_glyf.c: whether loca needs 32-bit offsets; known when glyf is written. */
+bool mt_loca_is_long(const mt_font_data *data, const mt_summary *summary);
+
+/* coverage.c: the bits of OS/2 ulUnicodeRange and ulCodePageRange for what the font maps. */
+void mt_unicode_ranges(const mt_char *chars, int count, uint32_t bits[4]);
+void mt_code_pages(const mt_char *chars, int count, uint32_t bits[2]);
+bool mt_has_char(const mt_char *chars, int count, uint32_t code_point);
+
+#endif

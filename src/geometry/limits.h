@@ -1,0 +1,51 @@
+/* Every limit and every tolerance, in one place, with its unit and its reason. */
+#ifndef MT_LIMITS_H
+#define MT_LIMITS_H
+
+/* Grid units in the em. All geometry is in integers on this grid. 256 000 is a common multiple of 1000, 1024,
+ * 2000 and 2048, so that nearly every font's own units fall on it exactly, and a unit of a 1000-unit em is
+ * 256 of it. */
+#define MT_EM 256000
+
+/* The largest absolute coordinate of an input point, grid units: some 32 em. Differences then fit 25 bits, an
+ * orientation 51 bits (int64_t) and an in-circle determinant 103 bits (mt_wide). */
+#define MT_COORD_MAX ((1 << 23) - 1)
+
+/* Points in one glyph after flattening. The largest Han glyphs have some 3 000. */
+#define MT_POINTS_MAX 1000000
+
+/* Components in one glyph: matching keeps a table of every pair. Braille and dotted faces have some tens. */
+#define MT_COMPONENTS_MAX 2048
+
+/* The most glyphs that a TrueType font can hold ('maxp' numGlyphs, uint16). */
+#define MT_GLYPHS_MAX 65535
+
+/* Contours and points of one output glyph ('glyf' counts and indices are 16-bit). */
+#define MT_GLYF_CONTOURS_MAX 32767
+#define MT_GLYF_POINTS_MAX 65535
+
+/* A curve is flattened into at least one chord for each so many degrees that it turns, so that a small round
+ * stays distinct from a corner (geometry/fit.c) however loose the tolerance. */
+#define MT_CHORD_TURN 20.0
+
+/* Where a curve meets a line or a curve and the direction changes by no more than so many degrees, the
+ * drawing is smooth: control points on whole font units put the two tangents of a small curve that far apart.
+ */
+#define MT_SMOOTH_JOIN 8.0
+
+/* What a drawing's smooth vertices, and those of a union's crossings, may turn by and still be taken for a
+ * part of a curve, degrees. A smooth vertex turns by up to MT_CHORD_TURN in each of the two drawings; a
+ * crossing comes from neither. */
+#define MT_SMOOTH_TURN 45.0
+#define MT_CROSSING_TURN 20.0
+
+/* A crossing that dents the outline by no more than so many grid units is where two neighbouring sums meet,
+ * and is bridged: 1.5/1000 em. */
+#define MT_DENT 384
+
+/* Rings whose mean width (twice the area over the length) is under this many grid units are seams of the
+ * union, where two sums that should touch were rounded apart: 0.25/1000 em; drawn hairlines are ten times
+ * wider. */
+#define MT_SEAM_WIDTH 64
+
+#endif

@@ -1,0 +1,43 @@
+/* The one place where memory comes from.
+ *
+ * An arena holds everything made for one glyph: allocate at will, free nothing, reset when the glyph is done.
+ * Its blocks are kept between resets, so that after a few glyphs nothing is asked of the system any more. An
+ * arena belongs to one thread. Sizes are checked before they are multiplied; a call that fails returns NULL
+ * and changes nothing.
+ */
+#ifndef MT_MEMORY_H
+#define MT_MEMORY_H
+
+#include <stddef.h>
+
+/* The allocator underneath, replaceable by a test: `resize` is realloc's contract, with size 0 meaning free.
+ */
+typedef void *(*mt_resize)(void *memory, size_t size);
+void mt_memory_replace(mt_resize resize); /* NULL goes back to the C library's */
+
+/* count × size bytes, zeroed, from the allocator; NULL when out of memory or when the product overflows. */
+void *mt_new(size_t count, size_t size);
+/* `memory` grown or shrunk to count × size bytes; on NULL `memory` is as it was. New bytes are not zeroed. */
+void *mt_grow(void *memory, size_t count, size_t size);
+void mt_free(void *memory); /* NULL is fine */
+char *mt_copy_text(const char *text);
+
+typedef struct mt_block mt_block;
+typedef struct mt_arena {
+    mt_block *first, *current;
+} mt_arena; /* all zero is an empty arena */
+
+/* count × size bytes, zeroed, aligned for any type; belongs to the arena. */
+void *mt_arena_new(mt_arena *arena, size_t count, size_t size);
+void mt_arena_reset(mt_arena *arena);   /* everything made in it is gone; its blocks stay */
+void mt_arena_release(mt_arena *arena); /* the blocks too */
+
+/* A place in an arena: what was made after mt_arena_mark is gone after mt_arena_rewind. */
+typedef struct mt_arena_place {
+    mt_block *block;
+    size_t used;
+} mt_arena_place;
+mt_arena_place mt_arena_mark(const mt_arena *arena);
+void mt_arena_rewind(mt_arena *arena, mt_arena_place place);
+
+#endif

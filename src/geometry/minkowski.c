@@ -1,0 +1,97 @@
+/* rA ⊕ (1 - r)B of two convex pieces. The edges of a convex ring come in order of angle; those of the sum are
+ * the edges of both, merged by angle (P. K. Ghosh, "A unified computational framework for Minkowski
+ * operations", 1993). Scaling by a positive weight turns no edge, so that the order is decided on the pieces'
+ * own integer edges, exactly.
+ *
+ * For 0 < r < 1 the corners of the sum are r·a + (1 - r)·b for the same pairs (a, b): each moves on a
+ * straight line.
+ */
+#include "minkowski.h"
+
+#include <math.h>
+
+mt_weights mt_weights_at(double t) {
+    int32_t b = (int32_t)lround(t * MT_WEIGHT_ONE);
+    return (mt_weights){MT_WEIGHT_ONE - b, b};
+}
+
+static int32_t mix(mt_weights weights, int32_t p, int32_t q) {
+    int64_t sum = (int64_t)weights.a * p + (int64_t)weights.b * q + MT_WEIGHT_ONE / 2;
+    int64_t down = sum >= 0 ? sum / MT_WEIGHT_ONE : -((-sum + MT_WEIGHT_ONE - 1) / MT_WEIGHT_ONE);
+    return (int32_t)down;
+}
+
+mt_point mt_mix(mt_weights weights, mt_point p, mt_point q) {
+    return (mt_point){mix(weights, p.x, q.x), mix(weights, p.y, q.y)};
+}
+
+/* ---- the merge
+ * --------------------------------------------------------------------------------------------- */
+
+static int lowest(const mt_ring *ring) {
+    int low = 0;
+    for (int i = 1; i < ring->count; i++) {
+        mt_point p = ring->points[i], q = ring->points[low];
+        if (p.y < q.y || (p.y == q.y && p.x < q.x)) low = i;
+    }
+    return low;
+}
+
+static int after(const mt_ring *ring, int i) {
+    return i + 1 == ring->count ? 0 : i + 1;
+}
+
+/* The marks of the corner made of p's vertex and q's, and of the edge that follows: p's (first > 0), q's (<
+ * 0) or the two in one. When one vertex is smooth, the other's sharp corner is rounded by its curve, and the
+ * sum is smooth here. At either end of the blend only that end's own vertex counts. */
+static uint8_t joint_marks(mt_weights weights, uint8_t p, uint8_t q, int64_t first) {
+    bool only_p = weights.b == 0, only_q = weights.a == 0;
+    uint8_t point = only_p ? p : only_q ? q : p & q;
+    uint8_t edge = (uint8_t)((first >= 0 && !only_q ? p : 0) | (first <= 0 && !only_p ? q : 0));
+    if (edge & MT_LINE) edge = MT_LINE; /* a line with a chord along it is a longer line */
+    return (uint8_t)((point & MT_CORNER) | (edge & MT_EDGE_MARKS));
+}
+
+/* A corner that falls on the last one hands on the edge that follows. */
+static void add(mt_ring *sum, mt_point point, uint8_t marks) {
+    int last = sum->count - 1;
+    if (last >= 0 && mt_point_equal(sum->points[last], point)) {
+        sum->marks[last] = (uint8_t)((sum->marks[last] & MT_POINT_MARKS) | marks);
+        return;
+    }
+    sum->points[sum->count] = point;
+    sum->marks[sum->count++] = marks;
+}
+
+/* Which edge comes next by angle: > 0 p's, < 0 q's, 0 both at once. Merging starts at both pieces' lowest
+ * points, and when one piece has gone once around, only the other's edges are left. */
+static int64_t which(const mt_ring *p, int i, int p_left, const mt_ring *q, int j, int q_left) {
+    if (p_left == 0) return -1;
+    if (q_left == 0) return 1;
+    mt_point a = p->points[i], b = p->points[after(p, i)], c = q->points[j], d = q->points[after(q, j)];
+    bool p_down = b.y < a.y || (b.y == a.y && b.x < a.x), q_down = d.y < c.y || (d.y == c.y && d.x < c.x);
+    if (p_down != q_down) return p_down ? -1 : 1;
+    return mt_cross(a, b, c, d);
+}
+
+void mt_minkowski(const mt_ring *p, const mt_ring *q, mt_weights weights, mt_ring *sum) {
+    int i = lowest(p), j = lowest(q), p_left = p->count, q_left = q->count;
+    sum->count = 0;
+    while (p_left > 0 || q_left > 0) {
+        int64_t first = which(p, i, p_left, q, j, q_left);
+        add(sum, mt_mix(weights, p->points[i], q->points[j]),
+            joint_marks(weights, p->marks[i], q->marks[j], first));
+        if (first >= 0) {
+            i = after(p, i);
+            p_left--;
+        }
+        if (first <= 0) {
+            j = after(q, j);
+            q_left--;
+        }
+    }
+    while (sum->count > 1 && mt_point_equal(sum->points[0], sum->points[sum->count - 1])) {
+        sum->count--;
+        sum->marks[0] |= sum->marks[sum->count] & MT_POINT_MARKS;
+    }
+}

@@ -1,0 +1,25 @@
+/* The weighted Minkowski sum of two convex pieces: rA ⊕ (1 - r)B, section 2.3 of the paper. */
+#ifndef MT_MINKOWSKI_H
+#define MT_MINKOWSKI_H
+
+#include "ring.h"
+
+/* The paper's r and 1 - r as integers that add up to MT_WEIGHT_ONE, so that sums are exact before they are
+ * rounded. */
+#define MT_WEIGHT_ONE (1 << 20)
+typedef struct mt_weights {
+    int32_t a, b;
+} mt_weights;
+
+/* Weights for T = t, 0 … 1: a = 1 - t, b = t, to the nearest 2^-20. */
+mt_weights mt_weights_at(double t);
+
+/* (a·p + b·q) / MT_WEIGHT_ONE, to the nearest grid point, halves up. Gives p back when p and q are equal. */
+mt_point mt_mix(mt_weights weights, mt_point p, mt_point q);
+
+/* The sum of two convex pieces by merging their edges in order of angle, O(n + m), into `sum`, which has room
+ * for p->count + q->count points and marks; sets sum->count. Corners are rounded to the grid; equal
+ * neighbours fall together. */
+void mt_minkowski(const mt_ring *p, const mt_ring *q, mt_weights weights, mt_ring *sum);
+
+#endif

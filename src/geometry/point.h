@@ -1,0 +1,47 @@
+/* Points on the integer grid (limits.h: MT_EM grid units an em, |x| and |y| up to MT_COORD_MAX) and the two
+ * exact predicates that all of geometry rests on. */
+#ifndef MT_POINT_H
+#define MT_POINT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct mt_point {
+    int32_t x, y;
+} mt_point;
+
+typedef struct mt_box {
+    mt_point min, max; /* both inclusive */
+} mt_box;
+
+__extension__ typedef __int128 mt_wide;
+
+static inline bool mt_point_equal(mt_point a, mt_point b) {
+    return a.x == b.x && a.y == b.y;
+}
+
+/* z of (b - a) × (d - c). */
+static inline int64_t mt_cross(mt_point a, mt_point b, mt_point c, mt_point d) {
+    return ((int64_t)b.x - a.x) * ((int64_t)d.y - c.y) - ((int64_t)b.y - a.y) * ((int64_t)d.x - c.x);
+}
+
+/* (b - a) · (d - c). */
+static inline int64_t mt_dot(mt_point a, mt_point b, mt_point c, mt_point d) {
+    return ((int64_t)b.x - a.x) * ((int64_t)d.x - c.x) + ((int64_t)b.y - a.y) * ((int64_t)d.y - c.y);
+}
+
+/* Twice the signed area of the triangle: > 0 when a, b, c turn left, 0 when they are in line. Exact. */
+static inline int64_t mt_orient(mt_point a, mt_point b, mt_point c) {
+    return mt_cross(a, b, a, c);
+}
+
+/* The sign of the in-circle determinant: > 0 when d is inside the circle through a, b, c (anticlockwise).
+ * Exact for coordinates whose differences are at most sixteen times MT_COORD_MAX. */
+int mt_in_circle(mt_point a, mt_point b, mt_point c, mt_point d);
+
+/* Squared distance. */
+static inline int64_t mt_distance2(mt_point a, mt_point b) {
+    return mt_dot(a, b, a, b);
+}
+
+#endif

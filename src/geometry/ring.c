@@ -1,0 +1,146 @@
+#include "ring.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "limits.h"
+
+mt_status mt_ring_new(mt_arena *arena, int count, mt_ring *ring) {
+    if (count > MT_POINTS_MAX) return MT_TOO_LARGE;
+    mt_ring made = {count, mt_arena_new(arena, (size_t)count, sizeof(mt_point)), NULL};
+    made.marks = mt_arena_new(arena, (size_t)count, sizeof(uint8_t));
+    if (!made.points || !made.marks) return MT_NO_MEMORY;
+    *ring = made;
+    return MT_OK;
+}
+
+mt_status mt_shape_rings(const mt_shape *shape, mt_arena *arena, mt_rings *rings) {
+    size_t count = 0;
+    for (int k = 0; k < shape->count; k++) count += (size_t)shape->components[k].count;
+    mt_rings made = {0, mt_arena_new(arena, count, sizeof(mt_ring))};
+    if (!made.rings) return MT_NO_MEMORY;
+    for (int k = 0; k < shape->count; k++)
+        for (int i = 0; i < shape->components[k].count; i++)
+            made.rings[made.count++] = shape->components[k].rings[i];
+    *rings = made;
+    return MT_OK;
+}
+
+/* ---- areas and lengths ------------------------------------------------------------------------------------
+ */
+
+int64_t mt_ring_area2(const mt_ring *ring) {
+    mt_wide sum = 0; /* a ring that winds many times may pass 64 bits on the way */
+    for (int i = 1; i + 1 < ring->count; i++)
+        sum += mt_orient(ring->points[0], ring->points[i], ring->points[i + 1]);
+    return (int64_t)sum;
+}
+
+int64_t mt_component_area2(const mt_component *component) {
+    int64_t sum = 0;
+    for (int i = 0; i < component->count; i++) sum += mt_ring_area2(&component->rings[i]);
+    return sum;
+}
+
+int64_t mt_shape_area2(const mt_shape *shape) {
+    int64_t sum = 0;
+    for (int i = 0; i < shape->count; i++) sum += mt_component_area2(&shape->components[i]);
+    return sum;
+}
+
+double mt_ring_length(const mt_ring *ring) {
+    double sum = 0;
+    for (int i = 0; i < ring->count; i++)
+        sum += sqrt((double)mt_distance2(ring->points[i], ring->points[(i + 1) % ring->count]));
+    return sum;
+}
+
+/* ---- boxes and centres ------------------------------------------------------------------------------------
+ */
+
+static void stretch(mt_box *box, mt_point p) {
+    if (p.x < box->min.x) box->min.x = p.x;
+    if (p.y < box->min.y) box->min.y = p.y;
+    if (p.x > box->max.x) box->max.x = p.x;
+    if (p.y > box->max.y) box->max.y = p.y;
+}
+
+mt_box mt_ring_box(const mt_ring *ring) {
+    if (ring->count == 0) return (mt_box){0};
+    mt_box box = {ring->points[0], ring->points[0]};
+    for (int i = 1; i < ring->count; i++) stretch(&box, ring->points[i]);
+    return box;
+}
+
+mt_box mt_shape_box(const mt_shape *shape) {
+    if (shape->count == 0) return (mt_box){0};
+    mt_box all = mt_ring_box(&shape->components[0].rings[0]);
+    for (int i = 1; i < shape->count; i++) {
+        mt_box box = mt_ring_box(&shape->components[i].rings[0]);
+        stretch(&all, box.min);
+        stretch(&all, box.max);
+    }
+    return all;
+}
+
+void mt_ring_centre(const mt_ring *ring, double *x, double *y) {
+    mt_point o = ring->count ? ring->points[0] : (mt_point){0};
+    double area = 0, sx = 0, sy = 0;
+    for (int i = 1; i + 1 < ring->count; i++) {
+        mt_point p = ring->points[i], q = ring->points[i + 1];
+        double w = (double)mt_orient(o, p, q);
+        area += w;
+        sx += w * ((double)p.x - o.x + ((double)q.x - o.x));
+        sy += w * ((double)p.y - o.y + ((double)q.y - o.y));
+    }
+    if (mt_ring_area2(ring) != 0) {
+        *x = o.x + sx / (3 * area);
+        *y = o.y + sy / (3 * area);
+        return;
+    }
+    mt_box box = mt_ring_box(ring);
+    *x = ((double)box.min.x + box.max.x) / 2;
+    *y = ((double)box.min.y + box.max.y) / 2;
+}
+
+/* ---- convexity --------------------------------------------------------------------------------------------
+ */
+
+static bool points_right(mt_point a, mt_point b) {
+    return b.x > a.x || (b.x == a.x && b.y > a.y);
+}
+
+bool mt_ring_is_convex(const mt_ring *ring) {
+    if (ring->count < 3 || mt_ring_area2(ring) <= 0) return false;
+    int changes = 0; /* of going right to going left and back: two once around, more for a star */
+    for (int i = 0; i < ring->count; i++) {
+        mt_point a = ring->points[i], b = ring->points[(i + 1) % ring->count],
+                 c = ring->points[(i + 2) % ring->count];
+        int64_t turn = mt_orient(a, b, c);
+        bool folds_back = turn == 0 && mt_dot(a, b, b, c) <= 0;
+        if (turn < 0 || folds_back) return false;
+        changes += points_right(a, b) != points_right(b, c);
+    }
+    return changes == 2;
+}
+
+static int by_x_then_y(const void *p, const void *q) {
+    const mt_point *a = p, *b = q;
+    if (a->x != b->x) return a->x < b->x ? -1 : 1;
+    return (a->y > b->y) - (a->y < b->y);
+}
+
+int mt_convex_hull(mt_point *points, int n, mt_point *hull) {
+    qsort(points, (size_t)n, sizeof *points, by_x_then_y);
+    int count = 0;
+    for (int i = 0; i < n; i++) { /* the lower chain, left to right */
+        while (count >= 2 && mt_orient(hull[count - 2], hull[count - 1], points[i]) <= 0) count--;
+        if (count == 0 || !mt_point_equal(hull[count - 1], points[i])) hull[count++] = points[i];
+    }
+    int lower = count + 1;
+    for (int i = n - 2; i >= 0; i--) { /* the upper chain, right to left */
+        while (count >= lower && mt_orient(hull[count - 2], hull[count - 1], points[i]) <= 0) count--;
+        if (!mt_point_equal(hull[count - 1], points[i])) hull[count++] = points[i];
+    }
+    return count > 1 ? count - 1 : count;
+}

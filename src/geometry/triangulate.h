@@ -1,0 +1,25 @@
+/* Exact constrained Delaunay triangulation of a component over its own vertices. */
+#ifndef MT_TRIANGULATE_H
+#define MT_TRIANGULATE_H
+
+#include "ring.h"
+
+/* Triangles as half-edges. Half-edge e starts at corner start[e]; its triangle is e / 3, the next one around
+ * it is e + 1, or e - 2 at e % 3 == 2; twin[e] is the half-edge on the other side of a diagonal, or -1 on the
+ * boundary. marks[e] are those of the ring point whose edge runs along e; a diagonal has the corner of the
+ * vertex that it starts at, and is a line. Triangles are anticlockwise. A vertex is an index over all rings'
+ * points, ring after ring. */
+typedef struct mt_mesh {
+    int triangle_count;
+    int *start; /* 3 × triangle_count vertices */
+    int *twin;  /* 3 × triangle_count half-edges */
+    uint8_t *marks;
+    int vertex_count;
+    mt_point *points; /* the component's points, ring after ring; they belong to the arena */
+} mt_mesh;
+
+/* Triangulates. The rings may touch at points and along edges, but not cross. MT_NO_MEMORY, MT_TOO_LARGE,
+ * MT_BAD_GEOMETRY when rings cross. */
+mt_status mt_triangulate(const mt_component *component, mt_arena *arena, mt_mesh *mesh);
+
+#endif

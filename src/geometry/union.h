@@ -1,0 +1,13 @@
+/* Union of polygons, by Clipper (A. Johnson; B. R. Vatti, "A generic solution to polygon clipping", 1992). */
+#ifndef MT_UNION_H
+#define MT_UNION_H
+
+#include "ring.h"
+
+/* The ink of all rings together under the nonzero winding rule, as components with holes. Points that survive
+ * keep their marks; where edges cross, a new one with mark MT_CROSSING appears. Points in line are dropped.
+ * Each ring starts at its lowest, then leftmost point, and components come in the order of these points, as
+ * do the holes of each. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_union(const mt_rings *rings, mt_arena *arena, mt_shape *shape);
+
+#endif

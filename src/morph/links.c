@@ -1,0 +1,82 @@
+#include "links.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+typedef struct mt_place {
+    double x, y; /* the paper's coordinate vector of a piece */
+} mt_place;
+
+/* Which components of the other side each component is matched with, as a list of matches grouped by
+ * component. */
+typedef struct mt_mapping {
+    const mt_side *from, *to;
+    const mt_place *from_places, *to_places;
+    const mt_links *matches;
+    bool forth; /* from A to B; otherwise from B to A */
+} mt_mapping;
+
+static mt_place *places_of(const mt_side *side, bool one_scale, mt_arena *arena) {
+    mt_place *places = mt_arena_new(arena, (size_t)side->pieces.count, sizeof *places);
+    if (!places) return NULL;
+    double width = fmax(1, (double)side->box.max.x - side->box.min.x);
+    double height = fmax(1, (double)side->box.max.y - side->box.min.y);
+    if (one_scale) width = height = fmax(width, height);
+    for (int i = 0; i < side->pieces.count; i++) {
+        double x, y;
+        mt_ring_centre(&side->pieces.rings[i], &x, &y);
+        places[i] = (mt_place){(x - side->box.min.x) / width, (y - side->box.min.y) / height};
+    }
+    return places;
+}
+
+/* Formula (3): of all pieces of the components that component k is matched with, the nearest to `piece`. The
+ * first of equals. */
+static int nearest(const mt_mapping *m, int k, int piece) {
+    mt_place p = m->from_places[piece];
+    double least = INFINITY;
+    int found = -1;
+    for (int i = 0; i < m->matches->count; i++) {
+        mt_link match = m->matches->links[i];
+        if ((m->forth ? match.a : match.b) != k) continue;
+        int other = m->forth ? match.b : match.a;
+        for (int j = m->to->first[other]; j < m->to->first[other + 1]; j++) {
+            double dx = p.x - m->to_places[j].x, dy = p.y - m->to_places[j].y, distance = dx * dx + dy * dy;
+            if (distance >= least) continue;
+            least = distance;
+            found = j;
+        }
+    }
+    return found;
+}
+
+static int by_a_then_b(const void *p, const void *q) {
+    const mt_link *x = p, *y = q;
+    return x->a != y->a ? (x->a > y->a) - (x->a < y->a) : (x->b > y->b) - (x->b < y->b);
+}
+
+mt_status mt_link_pieces(const mt_side *a, const mt_side *b, const mt_links *matches, bool one_scale,
+                         mt_arena *arena, mt_links *links) {
+    const mt_place *in_a = places_of(a, one_scale, arena), *in_b = places_of(b, one_scale, arena);
+    bool *marked = mt_arena_new(arena, (size_t)b->pieces.count, sizeof *marked);
+    mt_links made = {0,
+                     mt_arena_new(arena, (size_t)a->pieces.count + (size_t)b->pieces.count, sizeof(mt_link))};
+    if (!in_a || !in_b || !marked || !made.links) return MT_NO_MEMORY;
+
+    /* Step 1, only pieces of matched components may be linked, is in nearest(). Step 2: each piece of A, its
+     * nearest of B. */
+    mt_mapping forth = {a, b, in_a, in_b, matches, true}, back = {b, a, in_b, in_a, matches, false};
+    for (int k = 0; k < a->shape.count; k++)
+        for (int i = a->first[k]; i < a->first[k + 1]; i++) {
+            int h = nearest(&forth, k, i);
+            made.links[made.count++] = (mt_link){i, h};
+            marked[h] = true;
+        }
+    /* Step 3: each piece of B that is not marked yet, its nearest of A. */
+    for (int l = 0; l < b->shape.count; l++)
+        for (int j = b->first[l]; j < b->first[l + 1]; j++)
+            if (!marked[j]) made.links[made.count++] = (mt_link){nearest(&back, l, j), j};
+    qsort(made.links, (size_t)made.count, sizeof(mt_link), by_a_then_b);
+    *links = made;
+    return MT_OK;
+}

@@ -1,0 +1,123 @@
+#include "morph/morph.h"
+
+#include "geometry/decompose.h"
+#include "geometry/limits.h"
+#include "geometry/union.h"
+#include "morph/links.h"
+#include "morph/relax.h"
+#include "morph/rotation.h"
+#include "morph/similarity.h"
+
+/* ---- 2.1 convex decomposition
+ * ------------------------------------------------------------------------------ */
+
+static mt_status decompose_all(mt_side *side, mt_arena *arena) {
+    mt_pieces *parts = mt_arena_new(arena, (size_t)side->shape.count, sizeof *parts);
+    side->first = mt_arena_new(arena, (size_t)side->shape.count + 1, sizeof *side->first);
+    if (!parts || !side->first) return MT_NO_MEMORY;
+    for (int k = 0; k < side->shape.count; k++) {
+        mt_status status = mt_decompose(&side->shape.components[k], arena, &parts[k]);
+        if (status != MT_OK) return status;
+        side->first[k + 1] = side->first[k] + parts[k].count;
+    }
+    side->pieces.count = side->first[side->shape.count];
+    side->pieces.rings = mt_arena_new(arena, (size_t)side->pieces.count, sizeof(mt_ring));
+    if (!side->pieces.rings) return MT_NO_MEMORY;
+    for (int k = 0; k < side->shape.count; k++)
+        for (int i = 0; i < parts[k].count; i++) side->pieces.rings[side->first[k] + i] = parts[k].rings[i];
+    return MT_OK;
+}
+
+/* ---- 2.2.1 mapping the connected weights
+ * -------------------------------------------------------------------- */
+
+static mt_hull *hulls_of(const mt_side *side, mt_arena *arena, mt_status *status) {
+    mt_hull *hulls = mt_arena_new(arena, (size_t)side->shape.count, sizeof *hulls);
+    *status = hulls ? MT_OK : MT_NO_MEMORY;
+    for (int k = 0; *status == MT_OK && k < side->shape.count; k++)
+        *status = mt_hull_of(&side->shape.components[k], side->box, arena, &hulls[k]);
+    return hulls;
+}
+
+static mt_status match_components(mt_morph *morph, const mt_params *params, mt_arena *arena) {
+    int rows = morph->a.shape.count, columns = morph->b.shape.count;
+    mt_status status;
+    mt_hull *in_a = hulls_of(&morph->a, arena, &status);
+    if (status != MT_OK) return status;
+    mt_hull *in_b = hulls_of(&morph->b, arena, &status);
+    if (status != MT_OK) return status;
+    double *s = mt_arena_new(arena, (size_t)rows * (size_t)columns, sizeof *s);
+    if (!s) return MT_NO_MEMORY;
+    for (int i = 0; i < rows; i++)
+        for (int j = 0; j < columns; j++)
+            s[(size_t)i * (size_t)columns + (size_t)j] = mt_similarity(&in_a[i], &in_b[j], params->weights);
+    return mt_match(s, rows, columns, params->rounds, params->threshold, arena, &morph->matches);
+}
+
+/* ---- 2.3 formula (5): B turned by -q
+ * ------------------------------------------------------------------------ */
+
+static mt_status turn_b(mt_morph *morph, const mt_params *params, mt_arena *arena) {
+    if (params->rotation == MT_ROTATION_NONE) return MT_OK;
+    morph->degrees = params->degrees;
+    if (params->rotation == MT_ROTATION_FOUND) {
+        mt_status status = match_components(morph, params, arena); /* as they stand, to compare their axes */
+        if (status != MT_OK) return status;
+        morph->degrees = mt_find_rotation(&morph->a.shape, &morph->b.shape, &morph->matches);
+    }
+    mt_rings turned_rings;
+    mt_shape turned;
+    mt_status status =
+        mt_shape_turn(&morph->b.shape, mt_box_middle(morph->b.box), -morph->degrees, arena, &turned);
+    if (status == MT_OK) status = mt_shape_rings(&turned, arena, &turned_rings);
+    if (status == MT_OK)
+        status = mt_union(&turned_rings, arena, &morph->b.shape); /* rounding may make edges touch */
+    if (status == MT_OK) morph->b.box = mt_shape_box(&morph->b.shape);
+    return status;
+}
+
+/* ---- all of it
+ * ---------------------------------------------------------------------------------------------- */
+
+mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_params *params, mt_arena *arena,
+                           mt_morph *morph) {
+    mt_morph made = {.a = {.shape = *a, .box = mt_shape_box(a)}, .b = {.shape = *b, .box = mt_shape_box(b)}};
+    if ((a->count == 0) != (b->count == 0)) return MT_NO_COUNTERPART;
+    if (a->count > MT_COMPONENTS_MAX || b->count > MT_COMPONENTS_MAX) return MT_TOO_LARGE;
+    mt_status status = a->count ? turn_b(&made, params, arena) : MT_OK;
+    if (status == MT_OK) status = decompose_all(&made.a, arena);
+    if (status == MT_OK) status = decompose_all(&made.b, arena);
+    if (status == MT_OK && a->count) status = match_components(&made, params, arena);
+    if (status == MT_OK)
+        status = mt_link_pieces(&made.a, &made.b, &made.matches, params->one_scale, arena, &made.links);
+    if (status == MT_OK) *morph = made;
+    return status;
+}
+
+/* Formula (4): a Minkowski sum for each link. */
+static mt_status sums_of_links(const mt_morph *morph, mt_weights weights, mt_arena *arena, mt_rings *sums) {
+    *sums = (mt_rings){morph->links.count, mt_arena_new(arena, (size_t)morph->links.count, sizeof(mt_ring))};
+    if (!sums->rings) return MT_NO_MEMORY;
+    for (int i = 0; i < sums->count; i++) {
+        const mt_ring *p = &morph->a.pieces.rings[morph->links.links[i].a];
+        const mt_ring *q = &morph->b.pieces.rings[morph->links.links[i].b];
+        mt_status status = mt_ring_new(arena, p->count + q->count, &sums->rings[i]);
+        if (status != MT_OK) return status;
+        mt_minkowski(p, q, weights, &sums->rings[i]);
+    }
+    return MT_OK;
+}
+
+mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, mt_arena *arena, mt_shape *blend) {
+    mt_rings sums;
+    mt_shape made;
+    mt_status status = sums_of_links(morph, weights, arena, &sums);
+    if (status == MT_OK) status = mt_union(&sums, arena, &made);
+    if (status == MT_OK && morph->degrees != 0) { /* formula (5): back by (1 - r) q */
+        mt_point centre = mt_mix(weights, mt_box_middle(morph->a.box), mt_box_middle(morph->b.box));
+        double degrees = morph->degrees * weights.b / MT_WEIGHT_ONE;
+        status = mt_shape_turn(&made, centre, degrees, arena, &made);
+    }
+    if (status == MT_OK) *blend = made;
+    return status;
+}

@@ -1,0 +1,148 @@
+/* Morphotype: the fonts between two fonts.
+ *
+ * Open two fonts, make a blend of them, ask it for a whole font or for one glyph at any T:
+ *
+ *     mt_font *a, *b;
+ *     mt_blend *blend;
+ *     mt_params params = mt_params_default();
+ *     mt_font_open("Sans.ttf", &a);
+ *     mt_font_open("Serif.otf@wght=700", &b);
+ *     mt_blend_new(a, b, &params, &blend);
+ *     mt_blend_save(blend, 0.5, "Between.ttf");
+ *
+ * T is 0 for the first font and 1 for the second. (The paper's r is 1 - T.)
+ *
+ * Every fallible call returns an mt_status and writes its result last, only when it returns MT_OK.
+ * A handle that such a call hands out belongs to the caller, who gives it back with the matching close or
+ * free. Handles are not locked: use one handle from one thread at a time.
+ */
+#ifndef MORPHOTYPE_H
+#define MORPHOTYPE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#define MT_API __attribute__((visibility("default")))
+#else
+#define MT_API
+#endif
+
+#define MORPHOTYPE_VERSION "0.1.0"
+
+typedef enum mt_status {
+    MT_OK = 0,
+    MT_NO_MEMORY,      /* an allocation failed */
+    MT_NO_FILE,        /* the file is missing or cannot be read */
+    MT_NOT_A_FONT,     /* the file is empty, truncated or in no format that FreeType reads */
+    MT_NO_FACE,        /* the collection has no face of that number */
+    MT_NO_AXIS,        /* the font has no axis of that tag, or does not vary at all */
+    MT_BAD_AXIS,       /* an axis setting is malformed or out of the axis' range */
+    MT_NO_OUTLINES,    /* a bitmap font */
+    MT_NO_CHARMAP,     /* the font maps no Unicode characters */
+    MT_NO_GLYPH,       /* the font has no glyph for that character */
+    MT_BAD_GLYPH,      /* the glyph's outline cannot be read */
+    MT_NO_COUNTERPART, /* one font draws the character, the other leaves it blank */
+    MT_TOO_LARGE,      /* a coordinate or a count is over the limits in limits.h */
+    MT_BAD_GEOMETRY,   /* an outline broke an invariant of the engine: a bug, reported instead of drawn */
+    MT_NOTHING_SHARED, /* the two fonts have no character in common */
+    MT_BAD_PARAMETER,  /* a parameter is out of its documented range */
+    MT_CANNOT_WRITE,   /* the output file cannot be written */
+    MT_UNKNOWN_FORMAT, /* the output file's extension is none that can be written */
+} mt_status;
+
+/* One line of English, without a full stop; static storage. */
+MT_API const char *mt_status_text(mt_status status);
+
+/* ---- fonts ------------------------------------------------------------------------------------------------
+ */
+
+typedef struct mt_font mt_font;
+
+/* Opens FILE[#FACE][@AXIS=VALUE,…]: face FACE of a collection, counted from 0, at a place of a variable font
+ * in user coordinates. Reads TrueType, CFF, CFF2, Type 1, collections, WOFF and WOFF2, through FreeType. */
+MT_API mt_status mt_font_open(const char *spec, mt_font **font);
+MT_API void mt_font_close(mt_font *font); /* NULL is fine */
+
+/* The family name and the style name, UTF-8; belong to the font. */
+MT_API const char *mt_font_family(const mt_font *font);
+MT_API const char *mt_font_style(const mt_font *font);
+
+/* The smallest code point that the font maps and that is at least `from`; false when there is none. */
+MT_API bool mt_font_next_char(const mt_font *font, uint32_t from, uint32_t *code_point);
+
+/* ---- blends -----------------------------------------------------------------------------------------------
+ */
+
+typedef enum mt_rotation {
+    MT_ROTATION_NONE,  /* the paper's formula (4) */
+    MT_ROTATION_GIVEN, /* formula (5) with `degrees` */
+    MT_ROTATION_FOUND, /* formula (5), the angle found for each glyph from its components' principal axes */
+} mt_rotation;
+
+typedef struct mt_params {
+    double tolerance;  /* flattening error bound, 1/1000 em, 0.05 … 10 */
+    double fit;        /* curve fitting error bound, 1/1000 em, 0.05 … 10 */
+    double weights[3]; /* w1 (place), w2 (area), w3 (box) of section 2.2.1; each 0 … 1, sum 1 */
+    int rounds;        /* of the relaxation, formulas (1) and (2); 0 … 1000 */
+    double threshold; /* T of section 2.2.1: matches under it, relative to the best, count as none; 0 … 1 */
+    bool one_scale; /* formula (3) as printed: both axes by the longer side of the box, not each by its own */
+    mt_rotation rotation;
+    double degrees; /* q of formula (5), anticlockwise, -360 … 360; read with MT_ROTATION_GIVEN */
+    int threads;    /* that work on a font; 0: as many as the machine has cores */
+} mt_params;
+
+MT_API mt_params mt_params_default(void);
+
+typedef struct mt_blend mt_blend;
+
+/* A blend keeps using both fonts: close them after it. `params` is copied. */
+MT_API mt_status mt_blend_new(mt_font *a, mt_font *b, const mt_params *params, mt_blend **blend);
+MT_API void mt_blend_free(mt_blend *blend); /* NULL is fine */
+
+/* Called once for each glyph that cannot be blended and takes the nearer font's own outline instead. */
+typedef void (*mt_glyph_failed)(uint32_t code_point, mt_status why, void *user);
+/* Called from time to time while a font is made: `done` of `all` glyphs. */
+typedef void (*mt_progress)(int done, int all, void *user);
+MT_API void mt_blend_on_failure(mt_blend *blend, mt_glyph_failed call, void *user);
+MT_API void mt_blend_on_progress(mt_blend *blend, mt_progress call, void *user);
+
+/* Names the fonts that follow: the family NAME in place of a name made from both; NULL goes back to that. */
+MT_API mt_status mt_blend_set_family(mt_blend *blend, const char *name);
+
+/* Keeps only these characters (code points in any order), for a strip or a subset; count 0 means all shared
+ * ones. */
+MT_API mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count);
+
+/* The font at t (0 … 1) as TrueType bytes; give them back with mt_bytes_free. */
+MT_API mt_status mt_blend_font(mt_blend *blend, double t, uint8_t **bytes, size_t *length);
+/* Fonts at `count` places in one go, for little more than the price of one: each glyph is read, cut and
+ * matched once. Fills bytes[count] and lengths[count], or none of them. */
+MT_API mt_status mt_blend_fonts(mt_blend *blend, const double *t, int count, uint8_t **bytes,
+                                size_t *lengths);
+/* The font at t, written to `path` (.ttf) whole or not at all. */
+MT_API mt_status mt_blend_save(mt_blend *blend, double t, const char *path);
+MT_API void mt_bytes_free(uint8_t *bytes);
+
+/* One glyph, drawn through callbacks in font units of mt_blend_units_per_em. Contours are closed; quadratic
+ * curves. */
+typedef struct mt_draw {
+    void (*move_to)(double x, double y, void *user);
+    void (*line_to)(double x, double y, void *user);
+    void (*quadratic_to)(double cx, double cy, double x, double y, void *user);
+    void (*close)(void *user);
+} mt_draw;
+MT_API mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const mt_draw *draw,
+                                void *user, double *advance);
+MT_API int mt_blend_units_per_em(const mt_blend *blend);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

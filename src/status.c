@@ -1,0 +1,25 @@
+#include "morphotype.h"
+
+const char *mt_status_text(mt_status status) {
+    switch (status) {
+    case MT_OK: return "done";
+    case MT_NO_MEMORY: return "out of memory";
+    case MT_NO_FILE: return "the file is missing or cannot be read";
+    case MT_NOT_A_FONT: return "not a font, or a damaged one";
+    case MT_NO_FACE: return "no such face in the file";
+    case MT_NO_AXIS: return "no such axis in the font";
+    case MT_BAD_AXIS: return "an axis setting is malformed or out of range";
+    case MT_NO_OUTLINES: return "the font has no outlines";
+    case MT_NO_CHARMAP: return "the font maps no Unicode characters";
+    case MT_NO_GLYPH: return "the font has no glyph for the character";
+    case MT_BAD_GLYPH: return "the outline cannot be read";
+    case MT_NO_COUNTERPART: return "one font draws the character, the other leaves it blank";
+    case MT_TOO_LARGE: return "too large: a coordinate or a count is over the limit";
+    case MT_BAD_GEOMETRY: return "the outline could not be cut into convex pieces";
+    case MT_NOTHING_SHARED: return "the two fonts have no character in common";
+    case MT_BAD_PARAMETER: return "a parameter is out of range";
+    case MT_CANNOT_WRITE: return "the file cannot be written";
+    case MT_UNKNOWN_FORMAT: return "the file's extension is of no format that can be written";
+    }
+    return "unknown status";
+}
