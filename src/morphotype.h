@@ -85,7 +85,14 @@ typedef enum mt_rotation {
     MT_ROTATION_FOUND, /* formula (5), the angle found for each glyph from its components' principal axes */
 } mt_rotation;
 
+typedef enum mt_method {
+    MT_METHOD_JOINT, /* matched components are aligned along their boundaries; the paper's links for the rest
+                      */
+    MT_METHOD_PAPER, /* the paper's own mapping throughout */
+} mt_method;
+
 typedef struct mt_params {
+    mt_method method;
     double tolerance;  /* flattening error bound, 1/1000 em, 0.05 … 10 */
     double fit;        /* curve fitting error bound, 1/1000 em, 0.05 … 10 */
     double weights[3]; /* w1 (place), w2 (area), w3 (box) of section 2.2.1; each 0 … 1, sum 1 */

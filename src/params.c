@@ -5,6 +5,7 @@
 /* How the defaults were chosen is in docs/paper.md, with the figures. */
 mt_params mt_params_default(void) {
     return (mt_params){
+        .method = MT_METHOD_JOINT,
         .tolerance = 0.5,
         .fit = 0.35,
         .weights = {0.4, 0.2, 0.4},
@@ -25,7 +26,8 @@ mt_status mt_params_check(const mt_params *params) {
     bool fine = within(params->tolerance, 0.05, 10) && within(params->fit, 0.05, 10) &&
                 within(params->threshold, 0, 1) && within(params->degrees, -360, 360) &&
                 params->rounds >= 0 && params->rounds <= 1000 && params->threads >= 0 &&
-                params->rotation >= MT_ROTATION_NONE && params->rotation <= MT_ROTATION_FOUND;
+                params->rotation >= MT_ROTATION_NONE && params->rotation <= MT_ROTATION_FOUND &&
+                params->method >= MT_METHOD_JOINT && params->method <= MT_METHOD_PAPER;
     double sum = 0;
     for (int i = 0; i < 3; i++) {
         fine = fine && within(params->weights[i], 0, 1);

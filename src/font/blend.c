@@ -90,13 +90,6 @@ static double mixed_advance(const mt_glyph_pair *pair, double t) {
     return (1 - t) * pair->advance_a + t * pair->advance_b;
 }
 
-static mt_status blended_outline(const mt_glyph_pair *pair, double t, const mt_params *params,
-                                 mt_arena *arena, mt_outline *outline) {
-    mt_shape shape;
-    mt_status status = mt_morph_blend(&pair->morph, mt_weights_at(t), arena, &shape);
-    return status == MT_OK ? mt_shape_outline(&shape, params, arena, outline) : status;
-}
-
 static void draw_contour(const mt_contour *contour, double scale, const mt_draw *draw, void *user) {
     mt_point start = contour->segments[contour->count - 1].end;
     draw->move_to(start.x * scale, start.y * scale, user);
@@ -118,7 +111,8 @@ mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const m
     mt_glyph_pair pair;
     mt_outline outline;
     mt_status status = mt_glyph_pair_prepare(blend->a, blend->b, code_point, &blend->params, &arena, &pair);
-    if (status == MT_OK) status = blended_outline(&pair, t, &blend->params, &arena, &outline);
+    if (status == MT_OK)
+        status = mt_morph_outline(&pair.morph, mt_weights_at(t), &blend->params, &arena, &outline);
     if (status == MT_OK) {
         double scale = (double)mt_blend_units_per_em(blend) / MT_EM;
         for (int i = 0; i < outline.count; i++) draw_contour(&outline.contours[i], scale, draw, user);
@@ -171,8 +165,9 @@ static mt_status keep_outline(mt_worker *worker, const mt_outline *outline, cons
 static mt_status blend_pair(mt_worker *worker, const mt_glyph_pair *pair, int glyph) {
     for (int i = 0; i < worker->job->t_count; i++) {
         mt_outline outline;
+        mt_weights weights = mt_weights_at(worker->job->t[i]);
         mt_status status =
-            blended_outline(pair, worker->job->t[i], &worker->job->blend->params, &worker->scratch, &outline);
+            mt_morph_outline(&pair->morph, weights, &worker->job->blend->params, &worker->scratch, &outline);
         if (status == MT_OK) status = keep_outline(worker, &outline, pair, glyph, i);
         if (status != MT_OK) return status;
     }

@@ -3,10 +3,6 @@
 #include "geometry/limits.h"
 #include "geometry/union.h"
 
-static double grid_units(double thousandths) {
-    return thousandths * MT_EM / 1000;
-}
-
 /* Where the drawing's own contours cross, the resolved shape has corners of its own, like any other. */
 static void crossings_are_corners(mt_shape *shape) {
     for (int k = 0; k < shape->count; k++)
@@ -22,7 +18,7 @@ mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_are
     mt_outline outline;
     mt_rings rings;
     mt_status status = mt_font_outline(font, glyph, arena, &outline, advance);
-    if (status == MT_OK) status = mt_flatten(&outline, grid_units(tolerance), arena, &rings);
+    if (status == MT_OK) status = mt_flatten(&outline, mt_grid_units(tolerance), arena, &rings);
     if (status == MT_OK) status = mt_union(&rings, arena, shape);
     if (status == MT_OK) crossings_are_corners(shape);
     return status;
@@ -44,5 +40,5 @@ mt_status mt_shape_outline(const mt_shape *shape, const mt_params *params, mt_ar
     mt_rings rings;
     mt_status status = mt_shape_rings(shape, arena, &rings);
     if (status != MT_OK) return status;
-    return mt_fit(&rings, grid_units(params->tolerance), grid_units(params->fit), arena, outline);
+    return mt_fit(&rings, mt_grid_units(params->tolerance), mt_grid_units(params->fit), arena, outline);
 }

@@ -7,6 +7,11 @@
  * 256 of it. */
 #define MT_EM 256000
 
+/* Thousandths of the em, in which tolerances are given, as grid units. */
+static inline double mt_grid_units(double thousandths) {
+    return thousandths * MT_EM / 1000;
+}
+
 /* The largest absolute coordinate of an input point, grid units: some 32 em. Differences then fit 25 bits, an
  * orientation 51 bits (int64_t) and an in-circle determinant 103 bits (mt_wide). */
 #define MT_COORD_MAX ((1 << 23) - 1)

@@ -15,6 +15,8 @@
 #define MAX_TURN 100.0  /* degrees; a quadratic that turns by more is too pointed to follow anything drawn */
 #define ERROR_SHARE 0.5 /* what an error as large as the tolerance costs, beside 1 for a segment */
 #define STRAIGHT_SHARE 0.1 /* of the tolerance: under it, a stretch is a line */
+#define KINK_TURN 6.0      /* degrees by which two masters may head apart at a shared node … */
+#define KINK_SHARE 0.25    /* … for this much of a segment's price; more with the square of the angle */
 #define GIVE_UP 16.0 /* tolerances: past this error, longer segments from the same start are not tried */
 
 typedef struct mt_vec {
@@ -107,26 +109,93 @@ static mt_arc arc_between(const mt_sample *s, int from, int to, double tolerance
     return (mt_arc){false, control, quadratic_error(s, from, to, control, tolerance * GIVE_UP)};
 }
 
+/* ---- one segment in every master
+ * ------------------------------------------------------------------------------ */
+
+typedef struct mt_joint_arc {
+    bool line;
+    mt_vec control[MT_MASTERS_MAX];
+    double error;
+} mt_joint_arc;
+
+typedef struct mt_problem {
+    const mt_sample *const *masters;
+    int master_count, count;
+    double tolerance;
+} mt_problem;
+
+static double length(mt_vec a, mt_vec b) {
+    return hypot(b.x - a.x, b.y - a.y);
+}
+
+/* Where on its chord a master that is straight here has the control point: at the same share of the way as in
+ * a curved one. */
+static mt_vec along_chord(const mt_sample *a, const mt_sample *b, double share) {
+    return (mt_vec){a->x + share * (b->x - a->x), a->y + share * (b->y - a->y)};
+}
+
+static mt_joint_arc joint_arc(const mt_problem *p, int from, int to) {
+    mt_arc arcs[MT_MASTERS_MAX];
+    mt_joint_arc joint = {.line = true};
+    double share = 0.5;
+    for (int m = 0; m < p->master_count; m++) {
+        arcs[m] = arc_between(p->masters[m], from, to, p->tolerance);
+        joint.error = fmax(joint.error, arcs[m].error);
+        if (arcs[m].line) continue;
+        joint.line = false;
+        double in = length(place(&p->masters[m][from]), arcs[m].control);
+        share = in / (in + length(arcs[m].control, place(&p->masters[m][to])));
+    }
+    for (int m = 0; m < p->master_count && !joint.line; m++)
+        joint.control[m] =
+            arcs[m].line ? along_chord(&p->masters[m][from], &p->masters[m][to], share) : arcs[m].control;
+    return joint;
+}
+
+/* Where two masters head apart at a node that they share, the curves between them may have a kink there: a
+ * price on the angle. */
+static double kink_price(const mt_problem *p, int k) {
+    if (p->master_count < 2 || k == p->count - 1) return 0;
+    const mt_sample *a = &p->masters[0][k], *b = &p->masters[1][k];
+    double degrees =
+        fabs(atan2(cross(a->dx, a->dy, b->dx, b->dy), a->dx * b->dx + a->dy * b->dy)) * (180 / M_PI);
+    double share = fmin(degrees / KINK_TURN, 4);
+    return KINK_SHARE * share * share;
+}
+
 /* ---- the best spline
  * ------------------------------------------------------------------------------------------ */
 
 typedef struct mt_step {
     double cost;
     int from;
-    mt_arc arc;
+    mt_joint_arc arc;
 } mt_step;
 
-static void try_from(const mt_sample *s, int count, int from, double tolerance, mt_step *best) {
-    for (int to = from + 1; to < count; to++) {
-        mt_arc arc = arc_between(s, from, to, tolerance);
-        if (arc.error <= tolerance) {
-            double share = arc.error / tolerance;
-            double cost = best[from].cost + 1 + ERROR_SHARE * share * share;
+static bool is_node(const mt_problem *p, int k) {
+    for (int m = 0; m < p->master_count; m++)
+        if (p->masters[m][k].node) return true;
+    return false;
+}
+
+static bool turned_back(const mt_problem *p, int from, int to) {
+    for (int m = 0; m < p->master_count; m++) {
+        const mt_sample *a = &p->masters[m][from], *b = &p->masters[m][to];
+        if (a->dx * b->dx + a->dy * b->dy < cos(MAX_TURN * M_PI / 180)) return true;
+    }
+    return false;
+}
+
+static void try_from(const mt_problem *p, int from, mt_step *best) {
+    for (int to = from + 1; to < p->count; to++) {
+        mt_joint_arc arc = joint_arc(p, from, to);
+        if (arc.error <= p->tolerance) {
+            double share = arc.error / p->tolerance;
+            double cost = best[from].cost + 1 + ERROR_SHARE * share * share + kink_price(p, to);
             if (cost < best[to].cost) best[to] = (mt_step){cost, from, arc};
         }
-        bool turned_back = s[from].dx * s[to].dx + s[from].dy * s[to].dy < cos(MAX_TURN * M_PI / 180);
-        if (s[to].node || turned_back) break;
-        if (!arc.line && arc.error > tolerance * GIVE_UP) break;
+        if (is_node(p, to) || turned_back(p, from, to)) break;
+        if (!arc.line && arc.error > p->tolerance * GIVE_UP) break;
     }
 }
 
@@ -134,19 +203,28 @@ static mt_point rounded(mt_vec p) {
     return (mt_point){(int32_t)lround(p.x), (int32_t)lround(p.y)};
 }
 
-mt_status mt_spline(const mt_sample *samples, int count, double tolerance, mt_arena *arena,
-                    mt_segment *segments, int *made) {
+static void write_segments(const mt_problem *p, const mt_step *best, int total, mt_segment *const *segments) {
+    for (int j = p->count - 1; j > 0; j = best[j].from) {
+        total--;
+        for (int m = 0; m < p->master_count; m++) {
+            mt_segment *segment = &segments[m][total];
+            *segment =
+                (mt_segment){.degree = best[j].arc.line ? 1 : 2, .end = rounded(place(&p->masters[m][j]))};
+            if (!best[j].arc.line) segment->control[0] = rounded(best[j].arc.control[m]);
+        }
+    }
+}
+
+mt_status mt_spline(const mt_sample *const *masters, int master_count, int count, double tolerance,
+                    mt_arena *arena, mt_segment *const *segments, int *made) {
+    mt_problem problem = {masters, master_count, count, tolerance};
     mt_step *best = mt_arena_new(arena, (size_t)count, sizeof *best);
     if (!best) return MT_NO_MEMORY;
     for (int j = 1; j < count; j++) best[j].cost = INFINITY;
-    for (int i = 0; i + 1 < count; i++) try_from(samples, count, i, tolerance, best);
+    for (int i = 0; i + 1 < count; i++) try_from(&problem, i, best);
     int total = 0;
     for (int j = count - 1; j > 0; j = best[j].from) total++;
+    write_segments(&problem, best, total, segments);
     *made = total;
-    for (int j = count - 1; j > 0; j = best[j].from) {
-        mt_segment *segment = &segments[--total];
-        *segment = (mt_segment){.degree = best[j].arc.line ? 1 : 2, .end = rounded(place(&samples[j]))};
-        if (!best[j].arc.line) segment->control[0] = rounded(best[j].arc.control);
-    }
     return MT_OK;
 }

@@ -1,4 +1,5 @@
-/* Quadratic splines through samples of a smooth curve. */
+/* Quadratic splines through samples of a smooth curve, or of several curves at once that shall share their
+ * points. */
 #ifndef MT_SPLINE_H
 #define MT_SPLINE_H
 
@@ -11,11 +12,14 @@ typedef struct mt_sample {
     bool node; /* a segment has to end here: an extremum */
 } mt_sample;
 
+#define MT_MASTERS_MAX 2
+
 /* The fewest quadratic Béziers from the first sample to the last, through some of the samples in their
- * directions and within `tolerance` of the others; of equally many, the closest. A stretch that is straight
- * within a tenth of the tolerance becomes a line. `segments` has room for count - 1; *made says how many
- * there are. MT_NO_MEMORY. */
-mt_status mt_spline(const mt_sample *samples, int count, double tolerance, mt_arena *arena,
-                    mt_segment *segments, int *made);
+ * directions and within `tolerance` of the others; of equally many, the closest. With two masters, sample k
+ * of the one goes with sample k of the other, and so do the segments: they end at the same samples, where the
+ * directions differ least, and fit both. A stretch that is straight within a tenth of the tolerance in every
+ * master becomes a line. segments[m] has room for count - 1; *made says how many there are. MT_NO_MEMORY. */
+mt_status mt_spline(const mt_sample *const *masters, int master_count, int count, double tolerance,
+                    mt_arena *arena, mt_segment *const *segments, int *made);
 
 #endif

@@ -2,12 +2,17 @@
 #ifndef MT_UNION_H
 #define MT_UNION_H
 
-#include "ring.h"
+#include "outline.h"
 
 /* The ink of all rings together under the nonzero winding rule, as components with holes. Points that survive
  * keep their marks; where edges cross, a new one with mark MT_CROSSING appears. Points in line are dropped.
  * Each ring starts at its lowest, then leftmost point, and components come in the order of these points, as
  * do the holes of each. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_union(const mt_rings *rings, mt_arena *arena, mt_shape *shape);
+
+/* The union of an outline flattened within `tolerance` grid units, and whether the outline was its own union
+ * already: whether no area was covered twice, nor the wrong way round. As mt_flatten and mt_union. */
+mt_status mt_outline_resolve(const mt_outline *outline, double tolerance, mt_arena *arena, mt_shape *shape,
+                             bool *clean);
 
 #endif

@@ -69,13 +69,15 @@ mt_status mt_link_pieces(const mt_side *a, const mt_side *b, const mt_links *mat
     for (int k = 0; k < a->shape.count; k++)
         for (int i = a->first[k]; i < a->first[k + 1]; i++) {
             int h = nearest(&forth, k, i);
+            if (h < 0) break; /* a component that is not matched here */
             made.links[made.count++] = (mt_link){i, h};
             marked[h] = true;
         }
     /* Step 3: each piece of B that is not marked yet, its nearest of A. */
     for (int l = 0; l < b->shape.count; l++)
         for (int j = b->first[l]; j < b->first[l + 1]; j++)
-            if (!marked[j]) made.links[made.count++] = (mt_link){nearest(&back, l, j), j};
+            if (!marked[j] && nearest(&back, l, j) >= 0)
+                made.links[made.count++] = (mt_link){nearest(&back, l, j), j};
     qsort(made.links, (size_t)made.count, sizeof(mt_link), by_a_then_b);
     *links = made;
     return MT_OK;

@@ -3,7 +3,9 @@
 #include "geometry/decompose.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/joint.h"
 #include "morph/links.h"
+#include "morph/masters.h"
 #include "morph/relax.h"
 #include "morph/rotation.h"
 #include "morph/similarity.h"
@@ -76,6 +78,43 @@ static mt_status turn_b(mt_morph *morph, const mt_params *params, mt_arena *aren
     return status;
 }
 
+/* ---- what is aligned, and what goes by pieces
+ * ---------------------------------------------------------------- */
+
+static bool is_one_to_one(const mt_links *matches, mt_link match) {
+    for (int i = 0; i < matches->count; i++) {
+        mt_link other = matches->links[i];
+        if ((other.a == match.a) != (other.b == match.b)) return false;
+    }
+    return true;
+}
+
+static size_t ring_count(const mt_shape *shape) {
+    size_t count = 0;
+    for (int k = 0; k < shape->count; k++) count += (size_t)shape->components[k].count;
+    return count;
+}
+
+/* Aligns each pair of components that have only each other; the matches that remain go to `rest`. */
+static mt_status align_components(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_links *rest) {
+    size_t room = ring_count(&morph->a.shape) + ring_count(&morph->b.shape);
+    morph->contours = mt_arena_new(arena, room, sizeof(mt_masters));
+    *rest = (mt_links){0, mt_arena_new(arena, (size_t)morph->matches.count, sizeof(mt_link))};
+    if (!morph->contours || !rest->links) return MT_NO_MEMORY;
+    for (int i = 0; i < morph->matches.count; i++) {
+        mt_link match = morph->matches.links[i];
+        mt_masters *to = morph->contours + morph->contour_count;
+        int made = 0;
+        mt_status status = MT_OK;
+        if (is_one_to_one(&morph->matches, match))
+            status = mt_join(&morph->a, match.a, &morph->b, match.b, params, arena, to, &made);
+        if (status != MT_OK) return status;
+        morph->contour_count += made;
+        if (made == 0) rest->links[rest->count++] = match;
+    }
+    return MT_OK;
+}
+
 /* ---- all of it
  * ---------------------------------------------------------------------------------------------- */
 
@@ -88,15 +127,23 @@ mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_params
     if (status == MT_OK) status = decompose_all(&made.a, arena);
     if (status == MT_OK) status = decompose_all(&made.b, arena);
     if (status == MT_OK && a->count) status = match_components(&made, params, arena);
+    mt_links by_pieces = made.matches;
+    if (status == MT_OK && params->method == MT_METHOD_JOINT)
+        status = align_components(&made, params, arena, &by_pieces);
     if (status == MT_OK)
-        status = mt_link_pieces(&made.a, &made.b, &made.matches, params->one_scale, arena, &made.links);
+        status = mt_link_pieces(&made.a, &made.b, &by_pieces, params->one_scale, arena, &made.links);
     if (status == MT_OK) *morph = made;
     return status;
 }
 
-/* Formula (4): a Minkowski sum for each link. */
-static mt_status sums_of_links(const mt_morph *morph, mt_weights weights, mt_arena *arena, mt_rings *sums) {
-    *sums = (mt_rings){morph->links.count, mt_arena_new(arena, (size_t)morph->links.count, sizeof(mt_ring))};
+/* ---- 2.3 the blend
+ * ------------------------------------------------------------------------------------------- */
+
+/* Formula (4): a Minkowski sum for each link, and room for `more` rings after them. */
+static mt_status sums_of_links(const mt_morph *morph, mt_weights weights, int more, mt_arena *arena,
+                               mt_rings *sums) {
+    size_t room = (size_t)morph->links.count + (size_t)more;
+    *sums = (mt_rings){morph->links.count, mt_arena_new(arena, room, sizeof(mt_ring))};
     if (!sums->rings) return MT_NO_MEMORY;
     for (int i = 0; i < sums->count; i++) {
         const mt_ring *p = &morph->a.pieces.rings[morph->links.links[i].a];
@@ -108,16 +155,86 @@ static mt_status sums_of_links(const mt_morph *morph, mt_weights weights, mt_are
     return MT_OK;
 }
 
-mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, mt_arena *arena, mt_shape *blend) {
-    mt_rings sums;
-    mt_shape made;
-    mt_status status = sums_of_links(morph, weights, arena, &sums);
-    if (status == MT_OK) status = mt_union(&sums, arena, &made);
-    if (status == MT_OK && morph->degrees != 0) { /* formula (5): back by (1 - r) q */
-        mt_point centre = mt_mix(weights, mt_box_middle(morph->a.box), mt_box_middle(morph->b.box));
-        double degrees = morph->degrees * weights.b / MT_WEIGHT_ONE;
-        status = mt_shape_turn(&made, centre, degrees, arena, &made);
+/* The contours of aligned components, and room for `more` after them. */
+static mt_status mix_contours(const mt_morph *morph, mt_weights weights, int more, mt_arena *arena,
+                              mt_outline *outline) {
+    size_t room = (size_t)morph->contour_count + (size_t)more;
+    *outline = (mt_outline){morph->contour_count, mt_arena_new(arena, room, sizeof(mt_contour))};
+    if (!outline->contours) return MT_NO_MEMORY;
+    for (int i = 0; i < morph->contour_count; i++) {
+        mt_status status = mt_masters_mix(&morph->contours[i], weights, arena, &outline->contours[i]);
+        if (status != MT_OK) return status;
     }
-    if (status == MT_OK) *blend = made;
+    return MT_OK;
+}
+
+/* Formula (5): back by (1 - r) q. */
+static mt_point turn_back(const mt_morph *morph, mt_weights weights, mt_point p) {
+    if (morph->degrees == 0) return p;
+    mt_point centre = mt_mix(weights, mt_box_middle(morph->a.box), mt_box_middle(morph->b.box));
+    return mt_turn(p, centre, morph->degrees * weights.b / MT_WEIGHT_ONE);
+}
+
+mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, const mt_params *params, mt_arena *arena,
+                         mt_shape *blend) {
+    mt_outline aligned;
+    mt_rings flat, all;
+    mt_status status = mix_contours(morph, weights, 0, arena, &aligned);
+    if (status == MT_OK) status = mt_flatten(&aligned, mt_grid_units(params->tolerance), arena, &flat);
+    if (status == MT_OK) status = sums_of_links(morph, weights, flat.count, arena, &all);
+    if (status != MT_OK) return status;
+    for (int i = 0; i < flat.count; i++) all.rings[all.count++] = flat.rings[i];
+    for (int i = 0; i < all.count; i++)
+        for (int k = 0; k < all.rings[i].count; k++)
+            all.rings[i].points[k] = turn_back(morph, weights, all.rings[i].points[k]);
+    return mt_union(&all, arena, blend);
+}
+
+/* ---- the blend as curves
+ * -------------------------------------------------------------------------------------- */
+
+static mt_status fit_shape(const mt_shape *shape, const mt_params *params, mt_arena *arena,
+                           mt_outline *outline) {
+    mt_rings rings;
+    mt_status status = mt_shape_rings(shape, arena, &rings);
+    if (status != MT_OK) return status;
+    return mt_fit(&rings, mt_grid_units(params->tolerance), mt_grid_units(params->fit), arena, outline);
+}
+
+/* Aligned contours as they are, and the union of the others' sums, fitted. */
+static mt_status both_kinds(const mt_morph *morph, mt_weights weights, const mt_params *params,
+                            mt_arena *arena, mt_outline *outline) {
+    mt_rings sums;
+    mt_shape linked;
+    mt_outline fitted;
+    mt_status status = sums_of_links(morph, weights, 0, arena, &sums);
+    if (status == MT_OK) status = mt_union(&sums, arena, &linked);
+    if (status == MT_OK) status = fit_shape(&linked, params, arena, &fitted);
+    if (status == MT_OK) status = mix_contours(morph, weights, fitted.count, arena, outline);
+    if (status != MT_OK) return status;
+    for (int i = 0; i < fitted.count; i++) outline->contours[outline->count++] = fitted.contours[i];
+    return MT_OK;
+}
+
+static void turn_outline_back(const mt_morph *morph, mt_weights weights, mt_outline *outline) {
+    for (int i = 0; i < outline->count; i++)
+        for (int k = 0; k < outline->contours[i].count; k++) {
+            mt_segment *s = &outline->contours[i].segments[k];
+            s->end = turn_back(morph, weights, s->end);
+            s->control[0] = turn_back(morph, weights, s->control[0]);
+        }
+}
+
+mt_status mt_morph_outline(const mt_morph *morph, mt_weights weights, const mt_params *params,
+                           mt_arena *arena, mt_outline *outline) {
+    mt_shape shape;
+    mt_outline made;
+    bool clean;
+    mt_status status = both_kinds(morph, weights, params, arena, &made);
+    if (status != MT_OK) return status;
+    turn_outline_back(morph, weights, &made);
+    status = mt_outline_resolve(&made, mt_grid_units(params->tolerance), arena, &shape, &clean);
+    if (status == MT_OK && !clean) status = fit_shape(&shape, params, arena, &made);
+    if (status == MT_OK) *outline = made;
     return status;
 }

@@ -4,7 +4,7 @@
 #define MT_MORPH_H
 
 #include "geometry/minkowski.h"
-#include "geometry/ring.h"
+#include "geometry/outline.h"
 
 /* A pair of indices: into A's and into B's components, or pieces. */
 typedef struct mt_link {
@@ -25,20 +25,35 @@ typedef struct mt_side {
     int *first; /* shape.count + 1 of them */
 } mt_side;
 
+/* Compatible masters: two contours with as many segments, of the same degrees, between which every point
+ * moves on a straight line. */
+typedef struct mt_masters {
+    mt_contour a, b;
+} mt_masters;
+
 typedef struct mt_morph {
-    mt_side a, b;     /* b turned by -degrees about its box's middle */
-    mt_links matches; /* of components, 2.2.1 */
-    mt_links links;   /* of pieces, 2.2.2: the paper's list R */
-    double degrees;   /* q of formula (5); 0 without rotation */
+    mt_side a, b;      /* b turned by -degrees about its box's middle */
+    mt_links matches;  /* of components, 2.2.1 */
+    int contour_count; /* of the components that are aligned whole; none with MT_METHOD_PAPER */
+    mt_masters *contours;
+    mt_links links; /* of the others' pieces, 2.2.2: the paper's list R */
+    double degrees; /* q of formula (5); 0 without rotation */
 } mt_morph;
 
-/* Decomposes and matches. `params` gives weights, rounds, threshold, one_scale and rotation. Everything lives
- * in the arena, and the shapes must stay as long as the morph. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY;
- * MT_NO_COUNTERPART when one shape has ink and the other none. */
+/* Decomposes and matches; with MT_METHOD_JOINT, aligns what can be. Everything lives in the arena, and the
+ * shapes must stay as long as the morph. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY; MT_NO_COUNTERPART when
+ * one shape has ink and the other none. */
 mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_params *params, mt_arena *arena,
                            mt_morph *morph);
 
-/* The blend C(r), or C_int(r) with rotation: the ink at these weights. May be called for many weights. */
-mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, mt_arena *arena, mt_shape *blend);
+/* The blend C(r), or C_int(r) with rotation, as polygons: the ink at these weights. May be called for many
+ * weights. */
+mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, const mt_params *params, mt_arena *arena,
+                         mt_shape *blend);
+
+/* The same as curves: the contours of aligned components as they are, the others' union fitted; where these
+ * overlap, or a contour crosses itself, the union of all, fitted. */
+mt_status mt_morph_outline(const mt_morph *morph, mt_weights weights, const mt_params *params,
+                           mt_arena *arena, mt_outline *outline);
 
 #endif

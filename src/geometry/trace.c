@@ -1,0 +1,105 @@
+#include "trace.h"
+
+#include <math.h>
+
+#include "limits.h"
+
+int mt_trace_after(const mt_trace *t, int i) {
+    return i + 1 == t->ring.count ? 0 : i + 1;
+}
+
+int mt_trace_before(const mt_trace *t, int i) {
+    return i == 0 ? t->ring.count - 1 : i - 1;
+}
+
+/* ---- corners and lines
+ * --------------------------------------------------------------------------------------- */
+
+static void measure(mt_trace *t) {
+    const mt_point *p = t->ring.points;
+    for (int i = 0; i < t->ring.count; i++) {
+        int j = mt_trace_after(t, i);
+        t->length[i] = sqrt((double)mt_distance2(p[i], p[j]));
+        t->heading[i] = atan2((double)p[j].y - p[i].y, (double)p[j].x - p[i].x);
+    }
+    for (int i = 0; i < t->ring.count; i++) {
+        int h = mt_trace_before(t, i), j = mt_trace_after(t, i);
+        t->turn[i] = atan2((double)mt_cross(p[h], p[i], p[i], p[j]), (double)mt_dot(p[h], p[i], p[i], p[j]));
+    }
+}
+
+static bool is_corner(const mt_trace *t, int i) {
+    if (t->ring.marks[i] & MT_CORNER) return true;
+    double degrees = fabs(t->turn[i]) * (180 / M_PI);
+    return degrees > (t->ring.marks[i] & MT_CROSSING ? MT_CROSSING_TURN : MT_SMOOTH_TURN);
+}
+
+static bool is_line(const mt_trace *t, int i, double chord) {
+    int j = mt_trace_after(t, i);
+    if (t->corner[i] && t->corner[j]) return true;
+    if (t->ring.marks[i] & MT_EDGE_MARKS) return t->ring.marks[i] & MT_LINE;
+    double at_start = t->corner[i] ? t->turn[j] : t->turn[i];
+    double at_end = t->corner[j] ? t->turn[i] : t->turn[j];
+    return t->length[i] * (fabs(at_start) + fabs(at_end)) / 16 > 2 * chord;
+}
+
+mt_status mt_trace_ring(const mt_ring *ring, double chord, mt_arena *arena, mt_trace *t) {
+    size_t n = (size_t)ring->count;
+    mt_trace made = {.ring = *ring,
+                     .length = mt_arena_new(arena, n, sizeof(double)),
+                     .heading = mt_arena_new(arena, n, sizeof(double)),
+                     .turn = mt_arena_new(arena, n, sizeof(double)),
+                     .corner = mt_arena_new(arena, n, sizeof(bool)),
+                     .line = mt_arena_new(arena, n, sizeof(bool))};
+    if (!made.length || !made.heading || !made.turn || !made.corner || !made.line) return MT_NO_MEMORY;
+    measure(&made);
+    for (int i = 0; i < ring->count; i++) made.corner[i] = is_corner(&made, i);
+    for (int i = 0; i < ring->count; i++) made.line[i] = is_line(&made, i, chord);
+    *t = made;
+    return MT_OK;
+}
+
+bool mt_trace_breaks(const mt_trace *t, int i) {
+    return t->corner[i] || t->line[i] || t->line[mt_trace_before(t, i)];
+}
+
+bool mt_trace_extremum(const mt_trace *t, int i) {
+    mt_point a = t->ring.points[mt_trace_before(t, i)], b = t->ring.points[i],
+             c = t->ring.points[mt_trace_after(t, i)];
+    bool in_x = (b.x > a.x && b.x > c.x) || (b.x < a.x && b.x < c.x);
+    bool in_y = (b.y > a.y && b.y > c.y) || (b.y < a.y && b.y < c.y);
+    return !t->corner[i] && !(t->ring.marks[i] & MT_CROSSING) && in_x != in_y;
+}
+
+/* ---- headings
+ * ------------------------------------------------------------------------------------------------ */
+
+/* At a smooth vertex: that of the chord between its neighbours, which is exact where the vertices are evenly
+ * spaced in a quadratic's parameter, as flattening spaces them; so the turn is shared out against the lengths
+ * of the two edges. A line's end heads along the line. */
+static double smooth_heading(const mt_trace *t, int i) {
+    int h = mt_trace_before(t, i);
+    if (t->line[h]) return t->heading[h];
+    if (t->line[i]) return t->heading[i];
+    return t->heading[h] + t->turn[i] * t->length[i] / (t->length[h] + t->length[i]);
+}
+
+/* At a corner, along chord `edge` whose other end is `vertex`, followed by `next_edge`: the chord's own
+ * heading, turned away by as much as at its other end. `sign` is 1 when the chord leaves the corner and -1
+ * when it arrives. */
+static double corner_heading(const mt_trace *t, int edge, int vertex, int next_edge, double sign) {
+    if (t->line[edge] || t->corner[vertex]) return t->heading[edge];
+    if (t->line[next_edge]) return t->heading[edge] - sign * t->turn[vertex];
+    double share = t->length[next_edge] / (t->length[edge] + t->length[next_edge]);
+    return t->heading[edge] - sign * t->turn[vertex] * share;
+}
+
+double mt_trace_out(const mt_trace *t, int i) {
+    int j = mt_trace_after(t, i);
+    return t->corner[i] ? corner_heading(t, i, j, j, 1) : smooth_heading(t, i);
+}
+
+double mt_trace_in(const mt_trace *t, int i) {
+    int h = mt_trace_before(t, i);
+    return t->corner[i] ? corner_heading(t, h, h, mt_trace_before(t, h), -1) : smooth_heading(t, i);
+}

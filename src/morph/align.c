@@ -1,0 +1,211 @@
+#include "morph/align.h"
+
+#include <math.h>
+
+#include "geometry/limits.h"
+
+/* ---- stops
+ * --------------------------------------------------------------------------------------------------- */
+
+static mt_stop vertex_stop(const mt_trace *t, int i) {
+    return (mt_stop){t->ring.points[i].x, t->ring.points[i].y,   mt_trace_in(t, i),      mt_trace_out(t, i),
+                     t->corner[i],        mt_trace_breaks(t, i), mt_trace_extremum(t, i)};
+}
+
+static double angle_between(double from, double to) {
+    return remainder(to - from, 2 * M_PI);
+}
+
+/* The place at share s of the edge from stop a to stop b: on the line or, for a chord, on the quadratic that
+ * its two headings make, as far as they make one. */
+static mt_stop stop_between(const mt_stop *a, const mt_stop *b, bool line, double s) {
+    double dx = b->x - a->x, dy = b->y - a->y, heading = atan2(dy, dx);
+    mt_stop stop = {a->x + s * dx, a->y + s * dy, heading, heading, false, false, false};
+    double turn = angle_between(a->out, b->in), off = angle_between(a->out, heading);
+    if (line || fabs(turn) < 1e-6 || fabs(turn) > M_PI / 2 || off * turn <= 0 || fabs(off) >= fabs(turn))
+        return stop;
+    double reach = hypot(dx, dy) * sin(turn - off) / sin(turn); /* from a to the control point */
+    double ux = a->out, cx = reach * cos(ux), cy = reach * sin(ux);
+    stop.x = a->x + 2 * s * (1 - s) * cx + s * s * dx;
+    stop.y = a->y + 2 * s * (1 - s) * cy + s * s * dy;
+    stop.in = stop.out = atan2((1 - s) * cy + s * (dy - cy), (1 - s) * cx + s * (dx - cx));
+    return stop;
+}
+
+static int parts_of(const mt_trace *t, int i, double step) {
+    return 1 + (int)(t->length[i] / step);
+}
+
+mt_status mt_stops_of(const mt_trace *t, double step, mt_arena *arena, mt_stops *stops) {
+    int64_t total = 0;
+    for (int i = 0; i < t->ring.count; i++) total += parts_of(t, i, step);
+    if (total > MT_POINTS_MAX) return MT_TOO_LARGE;
+    mt_stops made = {0, mt_arena_new(arena, (size_t)total, sizeof(mt_stop))};
+    if (!made.stops) return MT_NO_MEMORY;
+    for (int i = 0; i < t->ring.count; i++) {
+        mt_stop a = vertex_stop(t, i), b = vertex_stop(t, mt_trace_after(t, i));
+        int parts = parts_of(t, i, step);
+        made.stops[made.count++] = a;
+        for (int k = 1; k < parts; k++)
+            made.stops[made.count++] = stop_between(&a, &b, t->line[i], (double)k / parts);
+    }
+    *stops = made;
+    return MT_OK;
+}
+
+/* ---- what a step costs
+ * --------------------------------------------------------------------------------------- */
+
+#define DIRECTION_PRICE 1.0 /* for headings that are opposite, both in and out */
+#define DISTANCE_PRICE 4.0  /* for stops as far apart as the box is wide or high */
+#define WAIT_PRICE 0.02     /* for one stop moving on while the other waits */
+#define STARTS 4            /* stops of B that are tried for the start */
+
+/* A stop as the cost sees it. */
+typedef struct mt_view {
+    double x, y; /* relative to the box */
+    double in_x, in_y, out_x, out_y;
+} mt_view;
+
+typedef struct mt_views {
+    int count;
+    mt_view *views;
+} mt_views;
+
+static mt_status views_of(const mt_stops *stops, mt_box box, mt_arena *arena, mt_views *views) {
+    *views = (mt_views){stops->count, mt_arena_new(arena, (size_t)stops->count, sizeof(mt_view))};
+    if (!views->views) return MT_NO_MEMORY;
+    double width = fmax(1, (double)box.max.x - box.min.x), height = fmax(1, (double)box.max.y - box.min.y);
+    for (int i = 0; i < stops->count; i++) {
+        const mt_stop *s = &stops->stops[i];
+        views->views[i] = (mt_view){(s->x - box.min.x) / width,
+                                    (s->y - box.min.y) / height,
+                                    cos(s->in),
+                                    sin(s->in),
+                                    cos(s->out),
+                                    sin(s->out)};
+    }
+    return MT_OK;
+}
+
+static double price(const mt_view *a, const mt_view *b) {
+    double same = a->in_x * b->in_x + a->in_y * b->in_y + a->out_x * b->out_x + a->out_y * b->out_y;
+    double dx = a->x - b->x, dy = a->y - b->y;
+    return DIRECTION_PRICE * (2 - same) / 4 + DISTANCE_PRICE * sqrt(dx * dx + dy * dy);
+}
+
+/* ---- dynamic programming
+ * ------------------------------------------------------------------------------------- */
+
+enum { BOTH, A_MOVES, B_MOVES };
+
+typedef struct mt_grid {
+    const mt_views *a, *b;
+    int start_a, start_b;
+    double *row;    /* of costs, b->count + 1 of them */
+    uint8_t *moves; /* (a->count + 1) × (b->count + 1): how each cell is best reached */
+} mt_grid;
+
+static double cell_price(const mt_grid *g, int i, int j) {
+    return price(&g->a->views[(g->start_a + i) % g->a->count], &g->b->views[(g->start_b + j) % g->b->count]);
+}
+
+/* The least cost of a way from (start_a, start_b) once around both rings. */
+static double fill(mt_grid *g) {
+    int n = g->a->count, m = g->b->count;
+    for (int i = 0; i <= n; i++) {
+        double diagonal = INFINITY; /* the cost at (i - 1, j - 1) */
+        for (int j = 0; j <= m; j++) {
+            double above = i > 0 ? g->row[j] : INFINITY, left = j > 0 ? g->row[j - 1] : INFINITY;
+            double best = diagonal;
+            uint8_t move = BOTH;
+            if (above + WAIT_PRICE < best) best = above + WAIT_PRICE, move = A_MOVES;
+            if (left + WAIT_PRICE < best) best = left + WAIT_PRICE, move = B_MOVES;
+            diagonal = above;
+            g->row[j] = (i || j ? best : 0) + cell_price(g, i, j);
+            g->moves[(size_t)i * (size_t)(m + 1) + (size_t)j] = move;
+        }
+    }
+    return g->row[m];
+}
+
+/* Reads the way back from the filled grid: the steps after the start, the last of which is the start again.
+ */
+static void read_back(const mt_grid *g, mt_alignment *alignment) {
+    int i = g->a->count, j = g->b->count, count = 0;
+    while (i > 0 || j > 0) {
+        alignment->steps[count++] = (mt_link){(g->start_a + i) % g->a->count, (g->start_b + j) % g->b->count};
+        uint8_t move = g->moves[(size_t)i * (size_t)(g->b->count + 1) + (size_t)j];
+        i -= move != B_MOVES;
+        j -= move != A_MOVES;
+    }
+    for (int k = 0; k < count / 2; k++) {
+        mt_link swap = alignment->steps[k];
+        alignment->steps[k] = alignment->steps[count - 1 - k];
+        alignment->steps[count - 1 - k] = swap;
+    }
+    alignment->count = count;
+}
+
+/* The stop of A whose best partner is surest, and its STARTS best partners. */
+static void choose_starts(const mt_views *a, const mt_views *b, int *start_a, int starts_b[STARTS]) {
+    double least = INFINITY;
+    for (int i = 0; i < a->count; i++)
+        for (int j = 0; j < b->count; j++) {
+            double p = price(&a->views[i], &b->views[j]);
+            if (p >= least) continue;
+            least = p;
+            *start_a = i;
+        }
+    double prices[STARTS];
+    for (int k = 0; k < STARTS; k++) {
+        prices[k] = INFINITY;
+        starts_b[k] = -1;
+    }
+    for (int j = 0; j < b->count; j++) {
+        double p = price(&a->views[*start_a], &b->views[j]);
+        int k = STARTS;
+        while (k > 0 && p < prices[k - 1]) k--;
+        for (int l = STARTS - 1; l > k; l--) {
+            prices[l] = prices[l - 1];
+            starts_b[l] = starts_b[l - 1];
+        }
+        if (k < STARTS) {
+            prices[k] = p;
+            starts_b[k] = j;
+        }
+    }
+}
+
+#define CELLS_MAX (1 << 26)
+
+mt_status mt_align(const mt_stops *stops_a, mt_box box_a, const mt_stops *stops_b, mt_box box_b,
+                   mt_arena *arena, mt_alignment *alignment) {
+    mt_views a, b;
+    mt_status status = views_of(stops_a, box_a, arena, &a);
+    if (status == MT_OK) status = views_of(stops_b, box_b, arena, &b);
+    if (status != MT_OK) return status;
+    size_t cells = ((size_t)a.count + 1) * ((size_t)b.count + 1);
+    if (cells > CELLS_MAX) return MT_TOO_LARGE;
+    mt_grid grid = {&a,
+                    &b,
+                    0,
+                    0,
+                    mt_arena_new(arena, (size_t)b.count + 1, sizeof(double)),
+                    mt_arena_new(arena, cells, 1)};
+    mt_alignment made = {0, mt_arena_new(arena, (size_t)a.count + (size_t)b.count, sizeof(mt_link)),
+                         INFINITY};
+    if (!grid.row || !grid.moves || !made.steps) return MT_NO_MEMORY;
+    int starts_b[STARTS];
+    choose_starts(&a, &b, &grid.start_a, starts_b);
+    for (int k = 0; k < STARTS && starts_b[k] >= 0; k++) {
+        grid.start_b = starts_b[k];
+        double cost = fill(&grid);
+        if (cost >= made.cost) continue;
+        made.cost = cost;
+        read_back(&grid, &made);
+    }
+    made.cost /= made.count;
+    *alignment = made;
+    return MT_OK;
+}

@@ -1,0 +1,16 @@
+/* Making compatible masters of two aligned rings, and going between them. */
+#ifndef MT_MASTERS_H
+#define MT_MASTERS_H
+
+#include "geometry/outline.h"
+#include "morph/align.h"
+
+/* Fits the same lines and quadratics to two aligned rings, each within `tolerance` grid units of its own,
+ * split where either has a corner or the end of a line, and at the extrema that both have. MT_NO_MEMORY. */
+mt_status mt_masters_fit(const mt_stops *a, const mt_stops *b, const mt_alignment *alignment,
+                         double tolerance, mt_arena *arena, mt_masters *masters);
+
+/* The contour at these weights. MT_NO_MEMORY. */
+mt_status mt_masters_mix(const mt_masters *masters, mt_weights weights, mt_arena *arena, mt_contour *contour);
+
+#endif
