@@ -9,6 +9,6 @@ mt_status mt_outline_resolve(const mt_outline *outline, double tolerance, mt_are
     if (status != MT_OK) return status;
     int64_t area2 = 0;
     for (int i = 0; i < drawn.count; i++) area2 += mt_ring_area2(&drawn.rings[i]);
-    *clean = resolved.count == drawn.count && area2 == mt_shape_area2(shape);
+    *clean = resolved.count == drawn.count && (area2 < 0 ? -area2 : area2) == mt_shape_area2(shape);
     return MT_OK;
 }

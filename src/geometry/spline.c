@@ -17,7 +17,7 @@
 #define STRAIGHT_SHARE 0.1 /* of the tolerance: under it, a stretch is a line */
 #define KINK_TURN 6.0      /* degrees by which two masters may head apart at a shared node … */
 #define KINK_SHARE 0.25    /* … for this much of a segment's price; more with the square of the angle */
-#define GIVE_UP 16.0 /* tolerances: past this error, longer segments from the same start are not tried */
+#define GIVE_UP 4.0  /* tolerances: past this error, longer segments from the same start are not tried */
 
 typedef struct mt_vec {
     double x, y;
@@ -44,7 +44,8 @@ static double distance_to_line(mt_vec p, mt_vec a, mt_vec b) {
     double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
     double t = length2 > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / length2 : 0;
     t = fmin(1, fmax(0, t));
-    return hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+    double x = p.x - a.x - t * dx, y = p.y - a.y - t * dy;
+    return sqrt(x * x + y * y);
 }
 
 /* Newton's method on (q(t) - p)·q'(t) = 0, from a start near enough: the samples come in order along the
@@ -60,7 +61,7 @@ static double distance_to_quadratic(mt_vec p, mt_vec a, mt_vec c, mt_vec b, doub
         if (i == 3 || slope <= 0) break;
         *t = fmin(1, fmax(0, *t - (off.x * d.x + off.y * d.y) / slope));
     }
-    return hypot(off.x, off.y);
+    return sqrt(off.x * off.x + off.y * off.y);
 }
 
 static double line_error(const mt_sample *s, int from, int to) {
@@ -71,7 +72,9 @@ static double line_error(const mt_sample *s, int from, int to) {
 }
 
 static double quadratic_error(const mt_sample *s, int from, int to, mt_vec control, double limit) {
-    double worst = 0, t = 0;
+    double worst = 0, t = 0.5; /* the middle first: it decides most of the hopeless cases */
+    worst = distance_to_quadratic(place(&s[(from + to) / 2]), place(&s[from]), control, place(&s[to]), &t);
+    t = 0;
     for (int k = from + 1; k < to && worst <= limit; k++) {
         double start = (double)(k - from) / (to - from);
         t = fmax(t, start * 0.5 + t * 0.5);
@@ -221,7 +224,10 @@ mt_status mt_spline(const mt_sample *const *masters, int master_count, int count
     mt_step *best = mt_arena_new(arena, (size_t)count, sizeof *best);
     if (!best) return MT_NO_MEMORY;
     for (int j = 1; j < count; j++) best[j].cost = INFINITY;
-    for (int i = 0; i + 1 < count; i++) try_from(&problem, i, best);
+    mt_joint_arc whole = joint_arc(&problem, 0, count - 1);
+    if (whole.line && whole.error <= tolerance) best[count - 1] = (mt_step){1, 0, whole}; /* nothing beats one line */
+    else
+        for (int i = 0; i + 1 < count; i++) try_from(&problem, i, best);
     int total = 0;
     for (int j = count - 1; j > 0; j = best[j].from) total++;
     write_segments(&problem, best, total, segments);

@@ -10,8 +10,8 @@
  * do the holes of each. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_union(const mt_rings *rings, mt_arena *arena, mt_shape *shape);
 
-/* The union of an outline flattened within `tolerance` grid units, and whether the outline was its own union
- * already: whether no area was covered twice, nor the wrong way round. As mt_flatten and mt_union. */
+/* The union of an outline flattened within `tolerance` grid units, and whether the outline was its own
+ * union already, but for running the other way round as a whole: whether no area was covered twice. As mt_flatten and mt_union. */
 mt_status mt_outline_resolve(const mt_outline *outline, double tolerance, mt_arena *arena, mt_shape *shape,
                              bool *clean);
 

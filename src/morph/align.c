@@ -100,42 +100,50 @@ static double price(const mt_view *a, const mt_view *b) {
 enum { BOTH, A_MOVES, B_MOVES };
 
 typedef struct mt_grid {
-    const mt_views *a, *b;
+    int n, m; /* stops of A, of B */
     int start_a, start_b;
-    double *row;    /* of costs, b->count + 1 of them */
-    uint8_t *moves; /* (a->count + 1) × (b->count + 1): how each cell is best reached */
+    float *prices;  /* n × m, of each stop of A with each of B */
+    double *row;    /* of costs, m + 1 of them */
+    uint8_t *moves; /* (n + 1) × (m + 1): how each cell is best reached */
 } mt_grid;
 
-static double cell_price(const mt_grid *g, int i, int j) {
-    return price(&g->a->views[(g->start_a + i) % g->a->count], &g->b->views[(g->start_b + j) % g->b->count]);
+static void fill_prices(mt_grid *g, const mt_views *a, const mt_views *b) {
+    for (int i = 0; i < g->n; i++)
+        for (int j = 0; j < g->m; j++)
+            g->prices[(size_t)i * (size_t)g->m + (size_t)j] = (float)price(&a->views[i], &b->views[j]);
+}
+
+static float price_at(const mt_grid *g, int i, int j) {
+    return g->prices[(size_t)i * (size_t)g->m + (size_t)j];
 }
 
 /* The least cost of a way from (start_a, start_b) once around both rings. */
 static double fill(mt_grid *g) {
-    int n = g->a->count, m = g->b->count;
-    for (int i = 0; i <= n; i++) {
+    for (int i = 0; i <= g->n; i++) {
+        const float *prices = g->prices + (size_t)((g->start_a + i) % g->n) * (size_t)g->m;
+        uint8_t *moves = g->moves + (size_t)i * (size_t)(g->m + 1);
         double diagonal = INFINITY; /* the cost at (i - 1, j - 1) */
-        for (int j = 0; j <= m; j++) {
-            double above = i > 0 ? g->row[j] : INFINITY, left = j > 0 ? g->row[j - 1] : INFINITY;
-            double best = diagonal;
-            uint8_t move = BOTH;
-            if (above + WAIT_PRICE < best) best = above + WAIT_PRICE, move = A_MOVES;
-            if (left + WAIT_PRICE < best) best = left + WAIT_PRICE, move = B_MOVES;
-            diagonal = above;
-            g->row[j] = (i || j ? best : 0) + cell_price(g, i, j);
-            g->moves[(size_t)i * (size_t)(m + 1) + (size_t)j] = move;
+        for (int j = 0, k = g->start_b; j <= g->m; j++) {
+            double above = i > 0 ? g->row[j] + WAIT_PRICE : INFINITY;
+            double left = j > 0 ? g->row[j - 1] + WAIT_PRICE : INFINITY;
+            double best = i || j ? diagonal : 0;
+            moves[j] = BOTH;
+            if (above < best) best = above, moves[j] = A_MOVES;
+            if (left < best) best = left, moves[j] = B_MOVES;
+            diagonal = i > 0 ? g->row[j] : INFINITY;
+            g->row[j] = best + (double)prices[k];
+            k = k + 1 == g->m ? 0 : k + 1;
         }
     }
-    return g->row[m];
+    return g->row[g->m];
 }
 
-/* Reads the way back from the filled grid: the steps after the start, the last of which is the start again.
- */
+/* Reads the way back from the filled grid: the steps after the start, the last of which is the start again. */
 static void read_back(const mt_grid *g, mt_alignment *alignment) {
-    int i = g->a->count, j = g->b->count, count = 0;
+    int i = g->n, j = g->m, count = 0;
     while (i > 0 || j > 0) {
-        alignment->steps[count++] = (mt_link){(g->start_a + i) % g->a->count, (g->start_b + j) % g->b->count};
-        uint8_t move = g->moves[(size_t)i * (size_t)(g->b->count + 1) + (size_t)j];
+        alignment->steps[count++] = (mt_link){(g->start_a + i) % g->n, (g->start_b + j) % g->m};
+        uint8_t move = g->moves[(size_t)i * (size_t)(g->m + 1) + (size_t)j];
         i -= move != B_MOVES;
         j -= move != A_MOVES;
     }
@@ -147,59 +155,59 @@ static void read_back(const mt_grid *g, mt_alignment *alignment) {
     alignment->count = count;
 }
 
-/* The stop of A whose best partner is surest, and its STARTS best partners. */
-static void choose_starts(const mt_views *a, const mt_views *b, int *start_a, int starts_b[STARTS]) {
-    double least = INFINITY;
-    for (int i = 0; i < a->count; i++)
-        for (int j = 0; j < b->count; j++) {
-            double p = price(&a->views[i], &b->views[j]);
-            if (p >= least) continue;
-            least = p;
-            *start_a = i;
-        }
-    double prices[STARTS];
-    for (int k = 0; k < STARTS; k++) {
-        prices[k] = INFINITY;
-        starts_b[k] = -1;
-    }
-    for (int j = 0; j < b->count; j++) {
-        double p = price(&a->views[*start_a], &b->views[j]);
+/* ---- where to start ------------------------------------------------------------------------------------------ */
+
+static int surest_stop(const mt_grid *g) {
+    float least = INFINITY;
+    int surest = 0;
+    for (int i = 0; i < g->n; i++)
+        for (int j = 0; j < g->m; j++)
+            if (price_at(g, i, j) < least) {
+                least = price_at(g, i, j);
+                surest = i;
+            }
+    return surest;
+}
+
+/* The STARTS best partners of a stop of A, best first; -1 where B has no more stops. */
+static void best_partners(const mt_grid *g, int i, int partners[STARTS]) {
+    for (int k = 0; k < STARTS; k++) partners[k] = -1;
+    for (int j = 0; j < g->m; j++) {
         int k = STARTS;
-        while (k > 0 && p < prices[k - 1]) k--;
-        for (int l = STARTS - 1; l > k; l--) {
-            prices[l] = prices[l - 1];
-            starts_b[l] = starts_b[l - 1];
-        }
-        if (k < STARTS) {
-            prices[k] = p;
-            starts_b[k] = j;
-        }
+        while (k > 0 && (partners[k - 1] < 0 || price_at(g, i, j) < price_at(g, i, partners[k - 1]))) k--;
+        for (int l = STARTS - 1; l > k; l--) partners[l] = partners[l - 1];
+        if (k < STARTS) partners[k] = j;
     }
 }
 
-#define CELLS_MAX (1 << 26)
+static mt_status start_grid(const mt_views *a, const mt_views *b, mt_arena *arena, mt_grid *grid) {
+    size_t cells = ((size_t)a->count + 1) * ((size_t)b->count + 1);
+    if (cells > MT_ALIGNMENT_MAX) return MT_TOO_LARGE;
+    *grid = (mt_grid){.n = a->count,
+                      .m = b->count,
+                      .prices = mt_arena_new(arena, cells, sizeof(float)),
+                      .row = mt_arena_new(arena, (size_t)b->count + 1, sizeof(double)),
+                      .moves = mt_arena_new(arena, cells, 1)};
+    if (!grid->prices || !grid->row || !grid->moves) return MT_NO_MEMORY;
+    fill_prices(grid, a, b);
+    grid->start_a = surest_stop(grid);
+    return MT_OK;
+}
 
-mt_status mt_align(const mt_stops *stops_a, mt_box box_a, const mt_stops *stops_b, mt_box box_b,
-                   mt_arena *arena, mt_alignment *alignment) {
+mt_status mt_align(const mt_stops *stops_a, mt_box box_a, const mt_stops *stops_b, mt_box box_b, mt_arena *arena,
+                   mt_alignment *alignment) {
     mt_views a, b;
+    mt_grid grid;
     mt_status status = views_of(stops_a, box_a, arena, &a);
     if (status == MT_OK) status = views_of(stops_b, box_b, arena, &b);
+    if (status == MT_OK) status = start_grid(&a, &b, arena, &grid);
     if (status != MT_OK) return status;
-    size_t cells = ((size_t)a.count + 1) * ((size_t)b.count + 1);
-    if (cells > CELLS_MAX) return MT_TOO_LARGE;
-    mt_grid grid = {&a,
-                    &b,
-                    0,
-                    0,
-                    mt_arena_new(arena, (size_t)b.count + 1, sizeof(double)),
-                    mt_arena_new(arena, cells, 1)};
-    mt_alignment made = {0, mt_arena_new(arena, (size_t)a.count + (size_t)b.count, sizeof(mt_link)),
-                         INFINITY};
-    if (!grid.row || !grid.moves || !made.steps) return MT_NO_MEMORY;
-    int starts_b[STARTS];
-    choose_starts(&a, &b, &grid.start_a, starts_b);
-    for (int k = 0; k < STARTS && starts_b[k] >= 0; k++) {
-        grid.start_b = starts_b[k];
+    mt_alignment made = {0, mt_arena_new(arena, (size_t)a.count + (size_t)b.count, sizeof(mt_link)), INFINITY};
+    if (!made.steps) return MT_NO_MEMORY;
+    int partners[STARTS];
+    best_partners(&grid, grid.start_a, partners);
+    for (int k = 0; k < STARTS && partners[k] >= 0; k++) {
+        grid.start_b = partners[k];
         double cost = fill(&grid);
         if (cost >= made.cost) continue;
         made.cost = cost;

@@ -1,9 +1,9 @@
 /* The inspection as a picture: a row a character, A on the left and B on the right.
  *
- *     U+5F62
+ *     U+5F62        8 contours, 20 links
  *        ▟▙ ─────────── ▟▙        matched components share a colour
- *        ▜▛ ─────────── ▜▛        a line for each link
- *     3 components, 35 pieces   60 links   4 components, 60 pieces
+ *        ▜▛ ─────────── ▜▛        a line for each link, and for each point of an aligned contour
+ *     3 components, 35 pieces   4 components, 60 pieces
  */
 #include "geometry/limits.h"
 #include "geometry/memory.h"
@@ -34,8 +34,7 @@ static const colour palette[] = {
 };
 #define PALETTE_COUNT ((int)(sizeof palette / sizeof palette[0]))
 
-/* ---- colours: one for each group of components that matches hold together ---------------------------------
- */
+/* ---- colours: one for each group of components that matches hold together ----------------------- */
 
 static int root_of(const int *parent, int node) {
     while (parent[node] != node) node = parent[node];
@@ -66,8 +65,7 @@ static void set_colour(cairo_t *cairo, int number, double alpha) {
     cairo_set_source_rgba(cairo, c.red, c.green, c.blue, alpha);
 }
 
-/* ---- where a glyph stands ---------------------------------------------------------------------------------
- */
+/* ---- where a glyph stands ----------------------------------------------------------------------- */
 
 /* From B's or A's grid to the page. */
 typedef struct placing {
@@ -112,8 +110,7 @@ static void piece_centre(const mt_ring *piece, const placing *at, double *x, dou
     to_page(at, x, y);
 }
 
-/* ---- the drawing ------------------------------------------------------------------------------------------
- */
+/* ---- the drawing -------------------------------------------------------------------------------- */
 
 static void draw_component(cairo_t *cairo, const mt_side *side, int index, int number, const placing *at) {
     const mt_component *component = &side->shape.components[index];
@@ -151,6 +148,41 @@ static void draw_links(cairo_t *cairo, const mt_view *view, const int *colours, 
     }
 }
 
+/* The component of A whose boundary comes closest to a point, at a vertex. */
+static int component_near(const mt_side *side, mt_point point) {
+    int nearest = 0;
+    int64_t least = INT64_MAX;
+    for (int i = 0; i < side->shape.count; i++)
+        for (int k = 0; k < side->shape.components[i].count; k++) {
+            const mt_ring *ring = &side->shape.components[i].rings[k];
+            for (int n = 0; n < ring->count; n++) {
+                int64_t distance = mt_distance2(point, ring->points[n]);
+                if (distance >= least) continue;
+                least = distance;
+                nearest = i;
+            }
+        }
+    return nearest;
+}
+
+/* Where the lines and curves of aligned contours end, on both sides. */
+static void draw_moves(cairo_t *cairo, const mt_view *view, const int *colours, const placing *at) {
+    const mt_morph *morph = &view->pair.morph;
+    for (int i = 0; i < morph->contour_count; i++) {
+        const mt_contour *a = &morph->contours[i].a, *b = &morph->contours[i].b;
+        for (int k = 0; k < a->count; k++) {
+            double ax = a->segments[k].end.x, ay = a->segments[k].end.y;
+            double bx = b->segments[k].end.x, by = b->segments[k].end.y;
+            to_page(&at[0], &ax, &ay);
+            to_page(&at[1], &bx, &by);
+            cairo_move_to(cairo, ax, ay);
+            cairo_line_to(cairo, bx, by);
+        }
+        set_colour(cairo, colours[component_near(&morph->a, a->segments[0].end)], 0.5);
+        cairo_stroke(cairo);
+    }
+}
+
 static const char *plural(int count) {
     return count == 1 ? "" : "s";
 }
@@ -165,6 +197,14 @@ static void draw_caption(cairo_t *cairo, const mt_side *side, double x, double y
     mt_label_draw_centred(cairo, text, x, y, width > room ? height * room / width : height);
 }
 
+/* "2 contours, 13 links, turned by -7.5" */
+static void describe_morph(const mt_morph *morph, char *text, size_t room) {
+    int contours = morph->contour_count, links = morph->links.count, used = 0;
+    if (contours > 0) used = snprintf(text, room, "%d contour%s, ", contours, plural(contours));
+    used += snprintf(text + used, room - (size_t)used, "%d link%s", links, plural(links));
+    if (morph->degrees != 0) snprintf(text + used, room - (size_t)used, ", turned by %.1f", morph->degrees);
+}
+
 static void draw_captions(cairo_t *cairo, const mt_view *view, double size, double top) {
     char text[80];
     const mt_morph *morph = &view->pair.morph;
@@ -175,11 +215,7 @@ static void draw_captions(cairo_t *cairo, const mt_view *view, double size, doub
     draw_caption(cairo, &morph->a, left + PANEL * size / 2, bottom, height, PANEL * size);
     if (!view->paired) return;
     draw_caption(cairo, &morph->b, left + (PANEL * 1.5 + GAP) * size, bottom, height, PANEL * size);
-    if (morph->degrees != 0)
-        snprintf(text, sizeof text, "%d link%s, %.1f degrees", morph->links.count, plural(morph->links.count),
-                 morph->degrees);
-    else
-        snprintf(text, sizeof text, "%d link%s", morph->links.count, plural(morph->links.count));
+    describe_morph(morph, text, sizeof text);
     mt_label_draw_centred(cairo, text, left + (PANEL + GAP / 2) * size, top, height);
 }
 
@@ -195,14 +231,14 @@ static mt_status draw_view(cairo_t *cairo, const mt_view *view, double size, dou
     if (view->paired) {
         at[1] = place_side(&pair->b, mt_turn_back(pair), size, left + (PANEL + GAP) * size, top);
         draw_side(cairo, &pair->morph.b, colours + pair->morph.a.shape.count, &at[1]);
+        draw_moves(cairo, view, colours, at);
         draw_links(cairo, view, colours, at);
     }
     draw_captions(cairo, view, size, top);
     return MT_OK;
 }
 
-/* ---- the picture ------------------------------------------------------------------------------------------
- */
+/* ---- the picture -------------------------------------------------------------------------------- */
 
 static double row_height(double size) {
     return PANEL * size + CAPTION * mt_label_height(size) + GAP * size;

@@ -13,8 +13,9 @@
  *           "b": SIDE,                                          this and all below: only with two fonts
  *           "rotation": 0,                                      degrees by which B is turned, formula (5)'s q
  *           "matches": [[i, k], …],                             component i of A goes with component k of B
- *           "links": [[i, k], …]                                piece i of A goes with piece k of B: the
- * paper's list R
+ *           "contours": [CONTOUR, …],                           of matched components that are aligned whole
+ *           "links": [[i, k], …]                                piece i of A goes with piece k of B, in all
+ *                                                               other components: the paper's list R
  *         }
  *       ]
  *     }
@@ -32,8 +33,15 @@
  *       ]
  *     }
  *
- * Lengths are in em and areas in em², to 9 decimals; y runs upwards from the baseline. Centres of B's pieces
- * are given as B is drawn, before it is turned. A font's "style" may be "". Indices count from 0.
+ * A CONTOUR moves between two contours of as many lines and curves, every point on a straight line:
+ *
+ *     {
+ *       "a": [[0.1, 0.7], …],                                   where the lines and curves of A's end, in order
+ *       "b": [[0.2, 0.7], …]                                    B's, as many
+ *     }
+ *
+ * Lengths are in em and areas in em², to 9 decimals; y runs upwards from the baseline. Points of B are
+ * given as it is drawn, before it is turned. A font's "style" may be "". Indices count from 0.
  */
 #include "font/utf.h"
 #include "geometry/limits.h"
@@ -70,18 +78,22 @@ static void add_component(mt_json *json, const mt_side *side, int index) {
     mt_json_object_end(json);
 }
 
+static void add_point(mt_json *json, const char *key, double x, double y, const mt_turn *turn) {
+    mt_turn_point(turn, &x, &y);
+    mt_json_array(json, key);
+    mt_json_number(json, NULL, em(x));
+    mt_json_number(json, NULL, em(y));
+    mt_json_array_end(json);
+}
+
 static void add_piece(mt_json *json, const mt_ring *piece, int component, const mt_turn *turn) {
     double x, y;
     mt_ring_centre(piece, &x, &y);
-    mt_turn_point(turn, &x, &y);
     mt_json_one_line(json);
     mt_json_object(json, NULL);
     mt_json_int(json, "component", component);
     mt_json_number(json, "area", em2(mt_ring_area2(piece)));
-    mt_json_array(json, "centre");
-    mt_json_number(json, NULL, em(x));
-    mt_json_number(json, NULL, em(y));
-    mt_json_array_end(json);
+    add_point(json, "centre", x, y, turn);
     mt_json_int(json, "corners", piece->count);
     mt_json_object_end(json);
 }
@@ -114,6 +126,25 @@ static void add_links(mt_json *json, const char *key, const mt_links *links) {
     mt_json_array_end(json);
 }
 
+static void add_ends(mt_json *json, const char *key, const mt_contour *contour, const mt_turn *turn) {
+    mt_json_one_line(json);
+    mt_json_array(json, key);
+    for (int i = 0; i < contour->count; i++)
+        add_point(json, NULL, contour->segments[i].end.x, contour->segments[i].end.y, turn);
+    mt_json_array_end(json);
+}
+
+static void add_contours(mt_json *json, const mt_morph *morph, const mt_turn *none, const mt_turn *turn) {
+    mt_json_array(json, "contours");
+    for (int i = 0; i < morph->contour_count; i++) {
+        mt_json_object(json, NULL);
+        add_ends(json, "a", &morph->contours[i].a, none);
+        add_ends(json, "b", &morph->contours[i].b, turn);
+        mt_json_object_end(json);
+    }
+    mt_json_array_end(json);
+}
+
 static void add_view(mt_json *json, const mt_view *view) {
     const mt_morph *morph = &view->pair.morph;
     mt_turn none = {.cosine = 1}, turn = mt_turn_back(&view->pair);
@@ -127,6 +158,7 @@ static void add_view(mt_json *json, const mt_view *view) {
         add_side(json, "b", &morph->b, view->pair.advance_b, &turn);
         mt_json_number(json, "rotation", morph->degrees);
         add_links(json, "matches", &morph->matches);
+        add_contours(json, morph, &none, &turn);
         add_links(json, "links", &morph->links);
     }
     mt_json_object_end(json);
