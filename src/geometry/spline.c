@@ -10,6 +10,7 @@
  */
 #include "spline.h"
 
+#include <assert.h>
 #include <math.h>
 
 #define MAX_TURN 100.0  /* degrees; a quadratic that turns by more is too pointed to follow anything drawn */
@@ -72,9 +73,7 @@ static double line_error(const mt_sample *s, int from, int to) {
 }
 
 static double quadratic_error(const mt_sample *s, int from, int to, mt_vec control, double limit) {
-    double worst = 0, t = 0.5; /* the middle first: it decides most of the hopeless cases */
-    worst = distance_to_quadratic(place(&s[(from + to) / 2]), place(&s[from]), control, place(&s[to]), &t);
-    t = 0;
+    double worst = 0, t = 0;
     for (int k = from + 1; k < to && worst <= limit; k++) {
         double start = (double)(k - from) / (to - from);
         t = fmax(t, start * 0.5 + t * 0.5);
@@ -228,6 +227,7 @@ mt_status mt_spline(const mt_sample *const *masters, int master_count, int count
     if (whole.line && whole.error <= tolerance) best[count - 1] = (mt_step){1, 0, whole}; /* nothing beats one line */
     else
         for (int i = 0; i + 1 < count; i++) try_from(&problem, i, best);
+    assert(best[count - 1].cost < INFINITY); /* neighbours are always joined */
     int total = 0;
     for (int j = count - 1; j > 0; j = best[j].from) total++;
     write_segments(&problem, best, total, segments);

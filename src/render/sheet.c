@@ -198,15 +198,10 @@ static mt_status save_pages_in_one(const sheet_page *page, mt_format format, con
     return status;
 }
 
-static mt_status draw_file(const sheet_page *page, mt_format format, int number, mt_buffer *file) {
-    mt_canvas canvas;
-    mt_status status = mt_canvas_open(format, page->width, page->height, &canvas);
-    if (status != MT_OK) return status;
-    draw_page(page, canvas.cairo, number);
-    status = mt_canvas_finish(&canvas, file);
-    mt_canvas_close(&canvas);
-    return status;
-}
+typedef struct page_file {
+    char *path;
+    mt_buffer bytes;
+} page_file;
 
 /* `path` for the first page, then NAME-2.png and so on; from mt_new, NULL when out of memory. */
 static char *page_path(const char *path, int number) {
@@ -218,29 +213,41 @@ static char *page_path(const char *path, int number) {
     return name;
 }
 
-static mt_status write_page(const char *path, int number, const mt_buffer *file) {
-    char *name = page_path(path, number);
-    mt_status status = name ? mt_file_write(name, file->bytes, file->length) : MT_NO_MEMORY;
-    mt_free(name);
+static mt_status draw_file(const sheet_page *page, mt_format format, const char *path, int number,
+                           page_file *file) {
+    mt_canvas canvas;
+    file->path = page_path(path, number);
+    if (!file->path) return MT_NO_MEMORY;
+    mt_status status = mt_canvas_open(format, page->width, page->height, &canvas);
+    if (status != MT_OK) return status;
+    draw_page(page, canvas.cairo, number);
+    status = mt_canvas_finish(&canvas, &file->bytes);
+    mt_canvas_close(&canvas);
     return status;
 }
 
-static void remove_page(const char *path, int number) {
-    char *name = page_path(path, number);
-    if (name) unlink(name);
-    mt_free(name);
+/* All or none: those written go again when one cannot be. */
+static mt_status write_files(const page_file *files, int count) {
+    for (int i = 0; i < count; i++) {
+        mt_status status = mt_file_write(files[i].path, files[i].bytes.bytes, files[i].bytes.length);
+        if (status == MT_OK) continue;
+        while (i-- > 0) unlink(files[i].path);
+        return status;
+    }
+    return MT_OK;
 }
 
-/* All files or none: none is written before all are drawn, and those written go again when one cannot be. */
+/* None is written before all are drawn. */
 static mt_status save_pages_apart(const sheet_page *page, mt_format format, const char *path) {
-    mt_buffer *files = mt_new((size_t)page->pages, sizeof *files);
+    page_file *files = mt_new((size_t)page->pages, sizeof *files);
     mt_status status = files ? MT_OK : MT_NO_MEMORY;
-    for (int i = 0; status == MT_OK && i < page->pages; i++) status = draw_file(page, format, i, &files[i]);
-    for (int i = 0; status == MT_OK && i < page->pages; i++) {
-        status = write_page(path, i, &files[i]);
-        for (int k = i; status != MT_OK && k > 0; k--) remove_page(path, k - 1);
+    for (int i = 0; status == MT_OK && i < page->pages; i++)
+        status = draw_file(page, format, path, i, &files[i]);
+    if (status == MT_OK) status = write_files(files, page->pages);
+    for (int i = 0; files && i < page->pages; i++) {
+        mt_free(files[i].path);
+        mt_buffer_free(&files[i].bytes);
     }
-    for (int i = 0; files && i < page->pages; i++) mt_buffer_free(&files[i]);
     mt_free(files);
     return status;
 }
