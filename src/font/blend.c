@@ -27,8 +27,7 @@ struct mt_blend {
     void *failed_user, *progress_user;
 };
 
-/* ---- the handle
- * ---------------------------------------------------------------------------------------------- */
+/* ---- the handle ---------------------------------------------------------------------------------------- */
 
 mt_status mt_blend_new(mt_font *a, mt_font *b, const mt_params *params, mt_blend **blend) {
     mt_status status = mt_params_check(params);
@@ -79,8 +78,7 @@ int mt_blend_units_per_em(const mt_blend *blend) {
     return mt_recipe_units(blend->a, blend->b);
 }
 
-/* ---- one glyph
- * ----------------------------------------------------------------------------------------------- */
+/* ---- one glyph ----------------------------------------------------------------------------------------- */
 
 static bool is_place(double t) {
     return t >= 0 && t <= 1; /* false for a NaN */
@@ -122,8 +120,7 @@ mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const m
     return status;
 }
 
-/* ---- workers
- * ------------------------------------------------------------------------------------------------- */
+/* ---- workers ------------------------------------------------------------------------------------------- */
 
 typedef struct mt_job {
     mt_blend *blend;
@@ -252,8 +249,7 @@ static mt_status run(mt_job *job, mt_worker *workers, int count) {
     return (mt_status)atomic_load(&job->status);
 }
 
-/* ---- fonts
- * --------------------------------------------------------------------------------------------------- */
+/* ---- fonts --------------------------------------------------------------------------------------------- */
 
 static mt_status write_font(const mt_job *job, int i, mt_arena *arena, uint8_t **bytes, size_t *length) {
     const mt_charset *charset = job->charset;

@@ -37,8 +37,7 @@ static int list_shared(const mt_font *a, const mt_font *b, uint32_t *kept) {
     return shared;
 }
 
-/* ---- glyphs
- * -------------------------------------------------------------------------------------------------- */
+/* ---- glyphs -------------------------------------------------------------------------------------------- */
 
 static int by_glyphs(const void *p, const void *q) {
     const mt_pairing *x = p, *y = q;

@@ -11,8 +11,7 @@ int mt_recipe_units(const mt_font *a, const mt_font *b) {
     return units;
 }
 
-/* ---- metrics
- * ------------------------------------------------------------------------------------------------ */
+/* ---- metrics ------------------------------------------------------------------------------------------- */
 
 /* (1 - t)·a + t·b, each given in its own font's units, in those of the new font. */
 typedef struct mt_scale {
@@ -57,8 +56,7 @@ static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale
     };
 }
 
-/* ---- names
- * -------------------------------------------------------------------------------------------------- */
+/* ---- names --------------------------------------------------------------------------------------------- */
 
 static const char *or_empty(const char *text) {
     return text ? text : "";
@@ -113,8 +111,7 @@ static mt_status fill_names(const mt_names *a, const mt_names *b, double t, cons
     return failed ? MT_NO_MEMORY : MT_OK;
 }
 
-/* ---- dates and rights
- * ---------------------------------------------------------------------------------------- */
+/* ---- dates and rights ---------------------------------------------------------------------------------- */
 
 /* Seconds since 1904: SOURCE_DATE_EPOCH (seconds since 1970) when it is set, else the newer of the sources'
  * own dates. */

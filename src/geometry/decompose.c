@@ -77,8 +77,7 @@ static mt_status start_faces(const mt_mesh *mesh, mt_arena *arena, mt_faces *fac
     return MT_OK;
 }
 
-/* ---- out
- * --------------------------------------------------------------------------------------------------- */
+/* ---- out ----------------------------------------------------------------------------------------------- */
 
 /* The piece around half-edge e; its edges count as dropped afterwards, so that it comes out once. */
 static mt_status take_piece(mt_faces *faces, int e, mt_arena *arena, mt_ring *piece) {
@@ -132,8 +131,7 @@ mt_status mt_decompose(const mt_component *component, mt_arena *arena, mt_pieces
     return MT_OK;
 }
 
-/* ---- reflex vertices
- * --------------------------------------------------------------------------------------- */
+/* ---- reflex vertices ----------------------------------------------------------------------------------- */
 
 static mt_point around(const mt_ring *ring, int i, int step) {
     mt_point p = ring->points[i];

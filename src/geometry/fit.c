@@ -12,8 +12,7 @@
 #include "spline.h"
 #include "trace.h"
 
-/* ---- 1: dents
- * ------------------------------------------------------------------------------------------------ */
+/* ---- 1: dents ------------------------------------------------------------------------------------------ */
 
 /* A crossing that turns right, to the inside of the ink, no deeper than MT_DENT under the line between its
  * neighbours. */
@@ -37,8 +36,7 @@ static mt_status bridge_dents(const mt_ring *ring, mt_arena *arena, mt_ring *cle
     return MT_OK;
 }
 
-/* ---- 3: runs
- * -------------------------------------------------------------------------------------------------- */
+/* ---- 3: runs ------------------------------------------------------------------------------------------- */
 
 /* At an extremum a smooth curve runs along the other axis. */
 static double along_axis(double heading) {

@@ -25,8 +25,7 @@ mt_point mt_mix(mt_weights weights, mt_point p, mt_point q) {
     return (mt_point){mix(weights, p.x, q.x), mix(weights, p.y, q.y)};
 }
 
-/* ---- the merge
- * --------------------------------------------------------------------------------------------- */
+/* ---- the merge ----------------------------------------------------------------------------------------- */
 
 static int lowest(const mt_ring *ring) {
     int low = 0;

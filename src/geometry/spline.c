@@ -38,8 +38,7 @@ static double cross(double ax, double ay, double bx, double by) {
     return ax * by - ay * bx;
 }
 
-/* ---- how far a sample is from a segment
- * --------------------------------------------------------------------- */
+/* ---- how far a sample is from a segment ---------------------------------------------------------------- */
 
 static double distance_to_line(mt_vec p, mt_vec a, mt_vec b) {
     double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
@@ -82,8 +81,7 @@ static double quadratic_error(const mt_sample *s, int from, int to, mt_vec contr
     return worst;
 }
 
-/* ---- one segment
- * --------------------------------------------------------------------------------------------- */
+/* ---- one segment --------------------------------------------------------------------------------------- */
 
 static mt_arc line_arc(const mt_sample *s, int from, int to, double tolerance) {
     double error = line_error(s, from, to);
@@ -111,8 +109,7 @@ static mt_arc arc_between(const mt_sample *s, int from, int to, double tolerance
     return (mt_arc){false, control, quadratic_error(s, from, to, control, tolerance * GIVE_UP)};
 }
 
-/* ---- one segment in every master
- * ------------------------------------------------------------------------------ */
+/* ---- one segment in every master ----------------------------------------------------------------------- */
 
 typedef struct mt_joint_arc {
     bool line;
@@ -165,8 +162,7 @@ static double kink_price(const mt_problem *p, int k) {
     return KINK_SHARE * share * share;
 }
 
-/* ---- the best spline
- * ------------------------------------------------------------------------------------------ */
+/* ---- the best spline ----------------------------------------------------------------------------------- */
 
 typedef struct mt_step {
     double cost;

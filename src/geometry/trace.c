@@ -12,8 +12,7 @@ int mt_trace_before(const mt_trace *t, int i) {
     return i == 0 ? t->ring.count - 1 : i - 1;
 }
 
-/* ---- corners and lines
- * --------------------------------------------------------------------------------------- */
+/* ---- corners and lines --------------------------------------------------------------------------------- */
 
 static void measure(mt_trace *t) {
     const mt_point *p = t->ring.points;
@@ -71,8 +70,7 @@ bool mt_trace_extremum(const mt_trace *t, int i) {
     return !t->corner[i] && !(t->ring.marks[i] & MT_CROSSING) && in_x != in_y;
 }
 
-/* ---- headings
- * ------------------------------------------------------------------------------------------------ */
+/* ---- headings ------------------------------------------------------------------------------------------ */
 
 /* At a smooth vertex: that of the chord between its neighbours, which is exact where the vertices are evenly
  * spaced in a quadratic's parameter, as flattening spaces them; so the turn is shared out against the lengths

@@ -4,8 +4,7 @@
 
 #include "geometry/limits.h"
 
-/* ---- stops
- * --------------------------------------------------------------------------------------------------- */
+/* ---- stops --------------------------------------------------------------------------------------------- */
 
 static mt_stop vertex_stop(const mt_trace *t, int i) {
     return (mt_stop){t->ring.points[i].x, t->ring.points[i].y,   mt_trace_in(t, i),      mt_trace_out(t, i),
@@ -53,8 +52,7 @@ mt_status mt_stops_of(const mt_trace *t, double step, mt_arena *arena, mt_stops 
     return MT_OK;
 }
 
-/* ---- what a step costs
- * --------------------------------------------------------------------------------------- */
+/* ---- what a step costs --------------------------------------------------------------------------------- */
 
 #define DIRECTION_PRICE 1.0 /* for headings that are opposite, both in and out */
 #define DISTANCE_PRICE 4.0  /* for stops as far apart as the box is wide or high */
@@ -94,8 +92,7 @@ static double price(const mt_view *a, const mt_view *b) {
     return DIRECTION_PRICE * (2 - same) / 4 + DISTANCE_PRICE * sqrt(dx * dx + dy * dy);
 }
 
-/* ---- dynamic programming
- * ------------------------------------------------------------------------------------- */
+/* ---- dynamic programming ------------------------------------------------------------------------------- */
 
 enum { BOTH, A_MOVES, B_MOVES };
 
@@ -155,7 +152,7 @@ static void read_back(const mt_grid *g, mt_alignment *alignment) {
     alignment->count = count;
 }
 
-/* ---- where to start ------------------------------------------------------------------------------------------ */
+/* ---- where to start ------------------------------------------------------------------------------------ */
 
 static int surest_stop(const mt_grid *g) {
     float least = INFINITY;

@@ -1,164 +1,128 @@
 #include "morph/joint.h"
 
-#include <math.h>
+#include "morph/divide.h"
+#include "morph/join.h"
 
-#include "geometry/limits.h"
-#include "geometry/union.h"
-#include "morph/align.h"
-#include "morph/masters.h"
+/* One match on its way: what each side puts in, and which other matches it hangs together with. */
+typedef struct mt_strand {
+    mt_link match;
+    mt_component in_a, in_b; /* the whole component, or the match's share of it */
+    int group;
+} mt_strand;
 
-#define STOPS_A_RING                                                                                         \
-    140.0 /* places along a ring that are aligned, at least; more where the drawing has more vertices */
-#define HOLE_DISTANCE                                                                                        \
-    0.25 /* between the barycentres of two holes that are taken for counterparts, in boxes */
-
-typedef struct mt_joining {
-    const mt_side *a, *b;
-    const mt_component *in_a, *in_b;
+typedef struct mt_loom {
+    mt_morph *morph;
     const mt_params *params;
     mt_arena *arena;
-} mt_joining;
+    int count;
+    mt_strand *strands;
+    bool *failed; /* each group */
+} mt_loom;
 
-/* ---- two rings
- * ----------------------------------------------------------------------------------------------- */
+/* ---- groups -------------------------------------------------------------------------------------------------- */
 
-static mt_status stops_of(const mt_joining *j, const mt_ring *ring, mt_stops *stops) {
-    mt_trace trace;
-    mt_status status = mt_trace_ring(ring, mt_grid_units(j->params->tolerance), j->arena, &trace);
-    double step = fmax(1, mt_ring_length(ring) / STOPS_A_RING);
-    return status == MT_OK ? mt_stops_of(&trace, step, j->arena, stops) : status;
-}
-
-static mt_status join_rings(const mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters) {
-    mt_stops a, b;
-    mt_alignment alignment;
-    mt_status status = stops_of(j, p, &a);
-    if (status == MT_OK) status = stops_of(j, q, &b);
-    if (status == MT_OK) status = mt_align(&a, j->a->box, &b, j->b->box, j->arena, &alignment);
-    if (status != MT_OK) return status;
-    return mt_masters_fit(&a, &b, &alignment, mt_grid_units(j->params->fit), j->arena, masters);
-}
-
-/* ---- holes without a counterpart
- * ------------------------------------------------------------------------------ */
-
-static double side(int32_t low, int32_t high) {
-    return fmax(1, (double)high - low);
-}
-
-/* The barycentre of a ring, relative to its glyph's box. */
-static void place_of(const mt_ring *ring, mt_box box, double *x, double *y) {
-    mt_ring_centre(ring, x, y);
-    *x = (*x - box.min.x) / side(box.min.x, box.max.x);
-    *y = (*y - box.min.y) / side(box.min.y, box.max.y);
-}
-
-static double apart(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q) {
-    double px, py, qx, qy;
-    place_of(p, box_p, &px, &py);
-    place_of(q, box_q, &qx, &qy);
-    return hypot(px - qx, py - qy);
-}
-
-/* A point in the ink of component k of `to`: the barycentre of the piece that lies nearest to the hole's own
- * place. A piece is convex, so its barycentre is inside it. */
-static mt_point point_inside(const mt_ring *hole, mt_box box, const mt_side *to, int k) {
-    double least = INFINITY;
-    mt_point found = {0};
-    for (int i = to->first[k]; i < to->first[k + 1]; i++) {
-        double d = apart(hole, box, &to->pieces.rings[i], to->box);
-        if (d >= least) continue;
-        least = d;
-        double x, y;
-        mt_ring_centre(&to->pieces.rings[i], &x, &y);
-        found = (mt_point){(int32_t)lround(x), (int32_t)lround(y)};
+static void name_groups(mt_loom *loom) {
+    for (int i = 0; i < loom->count; i++) loom->strands[i].group = i;
+    bool changed = true;
+    while (changed) {
+        changed = false;
+        for (int i = 0; i < loom->count; i++)
+            for (int k = 0; k < i; k++) {
+                mt_strand *p = &loom->strands[i], *q = &loom->strands[k];
+                bool together = p->match.a == q->match.a || p->match.b == q->match.b;
+                if (!together || p->group == q->group) continue;
+                p->group = q->group = p->group < q->group ? p->group : q->group;
+                changed = true;
+            }
     }
-    return found;
 }
 
-/* The hole's own contour on the one side, all of it at one point on the other. */
-static mt_status close_hole(const mt_joining *j, const mt_ring *hole, mt_point point, bool in_a,
-                            mt_masters *masters) {
-    mt_rings one = {1, (mt_ring *)hole};
-    mt_outline outline;
-    double tolerance = mt_grid_units(j->params->tolerance), fit = mt_grid_units(j->params->fit);
-    mt_status status = mt_fit(&one, tolerance, fit, j->arena, &outline);
+/* ---- shares -------------------------------------------------------------------------------------------------- */
+
+static int end_of(const mt_strand *strand, bool in_a) {
+    return in_a ? strand->match.a : strand->match.b;
+}
+
+/* Divides component k of one side among its partners, when it has several; its strands get the shares. */
+static mt_status share_out(mt_loom *loom, int k, bool in_a) {
+    int *strands = mt_arena_new(loom->arena, (size_t)loom->count, sizeof *strands);
+    int *partners = mt_arena_new(loom->arena, (size_t)loom->count, sizeof *partners);
+    mt_component *shares = mt_arena_new(loom->arena, (size_t)loom->count, sizeof *shares);
+    if (!strands || !partners || !shares) return MT_NO_MEMORY;
+    int count = 0;
+    for (int i = 0; i < loom->count; i++) {
+        if (end_of(&loom->strands[i], in_a) != k) continue;
+        partners[count] = end_of(&loom->strands[i], !in_a);
+        strands[count++] = i;
+    }
+    if (count < 2) return MT_OK;
+    const mt_side *from = in_a ? &loom->morph->a : &loom->morph->b, *to = in_a ? &loom->morph->b : &loom->morph->a;
+    bool divided;
+    mt_status status = mt_divide(from, k, to, partners, count, loom->arena, shares, &divided);
     if (status != MT_OK) return status;
-    *masters = (mt_masters){0};
-    if (outline.count == 0) return MT_OK;
-    mt_contour shut = {outline.contours[0].count, NULL};
-    shut.segments = mt_arena_new(j->arena, (size_t)shut.count, sizeof(mt_segment));
-    if (!shut.segments) return MT_NO_MEMORY;
-    for (int i = 0; i < shut.count; i++)
-        shut.segments[i] = (mt_segment){outline.contours[0].segments[i].degree, {point}, point};
-    *masters = in_a ? (mt_masters){outline.contours[0], shut} : (mt_masters){shut, outline.contours[0]};
+    if (!divided) loom->failed[loom->strands[strands[0]].group] = true;
+    for (int i = 0; i < count && divided; i++) {
+        mt_strand *strand = &loom->strands[strands[i]];
+        if (in_a) strand->in_a = shares[i];
+        else strand->in_b = shares[i];
+    }
     return MT_OK;
 }
 
-/* ---- a component
- * --------------------------------------------------------------------------------------------- */
-
-/* Pairs holes, nearest first: partner[i] is the hole of B that goes with hole i of A, or 0. */
-static mt_status pair_holes(const mt_joining *j, int *partner, bool *taken) {
-    for (;;) {
-        double least = HOLE_DISTANCE;
-        mt_link best = {0, 0};
-        for (int p = 1; p < j->in_a->count; p++)
-            for (int q = 1; q < j->in_b->count && !partner[p]; q++) {
-                if (taken[q]) continue;
-                double d = apart(&j->in_a->rings[p], j->a->box, &j->in_b->rings[q], j->b->box);
-                if (d >= least) continue;
-                least = d;
-                best = (mt_link){p, q};
-            }
-        if (best.a == 0) return MT_OK;
-        partner[best.a] = best.b;
-        taken[best.b] = true;
+static mt_status start_loom(mt_loom *loom, const mt_links *matches) {
+    loom->count = matches->count;
+    loom->strands = mt_arena_new(loom->arena, (size_t)loom->count, sizeof *loom->strands);
+    loom->failed = mt_arena_new(loom->arena, (size_t)loom->count, sizeof *loom->failed);
+    if (!loom->strands || !loom->failed) return MT_NO_MEMORY;
+    for (int i = 0; i < loom->count; i++) {
+        mt_link match = matches->links[i];
+        loom->strands[i] = (mt_strand){match, loom->morph->a.shape.components[match.a],
+                                       loom->morph->b.shape.components[match.b], i};
     }
-}
-
-static mt_status join_holes(const mt_joining *j, int k, int l, mt_masters *contours, int *count) {
-    int *partner = mt_arena_new(j->arena, (size_t)j->in_a->count, sizeof *partner);
-    bool *taken = mt_arena_new(j->arena, (size_t)j->in_b->count, sizeof *taken);
-    if (!partner || !taken) return MT_NO_MEMORY;
-    mt_status status = pair_holes(j, partner, taken);
-    for (int p = 1; status == MT_OK && p < j->in_a->count; p++) {
-        const mt_ring *hole = &j->in_a->rings[p];
-        if (partner[p])
-            status = join_rings(j, hole, &j->in_b->rings[partner[p]], &contours[*count]);
-        else
-            status = close_hole(j, hole, point_inside(hole, j->a->box, j->b, l), true, &contours[*count]);
-        *count += contours[*count].a.count > 0;
-    }
-    for (int q = 1; status == MT_OK && q < j->in_b->count; q++) {
-        if (taken[q]) continue;
-        const mt_ring *hole = &j->in_b->rings[q];
-        status = close_hole(j, hole, point_inside(hole, j->b->box, j->a, k), false, &contours[*count]);
-        *count += contours[*count].a.count > 0;
-    }
+    name_groups(loom);
+    mt_status status = MT_OK;
+    for (int k = 0; status == MT_OK && k < loom->morph->a.shape.count; k++) status = share_out(loom, k, true);
+    for (int l = 0; status == MT_OK && l < loom->morph->b.shape.count; l++) status = share_out(loom, l, false);
     return status;
 }
 
-/* Whether the contours at T = t keep clear of themselves and of each other. */
-static mt_status is_clean(const mt_joining *j, const mt_masters *contours, int count, double t, bool *clean) {
-    mt_outline outline = {count, mt_arena_new(j->arena, (size_t)count, sizeof(mt_contour))};
-    mt_shape shape;
-    if (!outline.contours) return MT_NO_MEMORY;
-    for (int i = 0; i < count; i++) {
-        mt_status status = mt_masters_mix(&contours[i], mt_weights_at(t), j->arena, &outline.contours[i]);
+/* ---- contours ------------------------------------------------------------------------------------------------ */
+
+/* Joins the strands of a group; when one cannot be, none is. */
+static mt_status join_group(mt_loom *loom, int group) {
+    mt_morph *morph = loom->morph;
+    int before = morph->contour_count;
+    for (int i = group; i < loom->count && !loom->failed[group]; i++) {
+        const mt_strand *strand = &loom->strands[i];
+        if (strand->group != group) continue;
+        mt_part a = {&strand->in_a, morph->a.box}, b = {&strand->in_b, morph->b.box};
+        int made = 0;
+        mt_status status = mt_join(a, b, loom->params, loom->arena, morph->contours + morph->contour_count, &made);
         if (status != MT_OK) return status;
+        morph->contour_count += made;
+        loom->failed[group] = made == 0;
     }
-    return mt_outline_resolve(&outline, mt_grid_units(j->params->tolerance), j->arena, &shape, clean);
+    if (loom->failed[group]) morph->contour_count = before;
+    return MT_OK;
 }
 
-mt_status mt_join(const mt_side *a, int k, const mt_side *b, int l, const mt_params *params, mt_arena *arena,
-                  mt_masters *contours, int *made) {
-    mt_joining j = {a, b, &a->shape.components[k], &b->shape.components[l], params, arena};
-    bool clean = false;
-    int count = 1;
-    mt_status status = join_rings(&j, &j.in_a->rings[0], &j.in_b->rings[0], &contours[0]);
-    if (status == MT_OK) status = join_holes(&j, k, l, contours, &count);
-    if (status == MT_OK) status = is_clean(&j, contours, count, 0.5, &clean);
-    if (status == MT_OK) *made = clean ? count : 0;
+static size_t rings_in(const mt_loom *loom) {
+    size_t rings = 0;
+    for (int i = 0; i < loom->count; i++)
+        rings += (size_t)loom->strands[i].in_a.count + (size_t)loom->strands[i].in_b.count;
+    return rings;
+}
+
+mt_status mt_joint(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_links *rest) {
+    mt_loom loom = {morph, params, arena, 0, NULL, NULL};
+    mt_status status = start_loom(&loom, &morph->matches);
+    if (status != MT_OK) return status;
+    morph->contours = mt_arena_new(arena, rings_in(&loom), sizeof(mt_masters));
+    *rest = (mt_links){0, mt_arena_new(arena, (size_t)loom.count, sizeof(mt_link))};
+    if (!morph->contours || !rest->links) return MT_NO_MEMORY;
+    for (int group = 0; status == MT_OK && group < loom.count; group++)
+        if (loom.strands[group].group == group) status = join_group(&loom, group);
+    for (int i = 0; i < loom.count; i++)
+        if (loom.failed[loom.strands[i].group]) rest->links[rest->count++] = loom.strands[i].match;
     return status;
 }

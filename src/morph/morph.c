@@ -10,8 +10,7 @@
 #include "morph/rotation.h"
 #include "morph/similarity.h"
 
-/* ---- 2.1 convex decomposition
- * ------------------------------------------------------------------------------ */
+/* ---- 2.1 convex decomposition -------------------------------------------------------------------------- */
 
 static mt_status decompose_all(mt_side *side, mt_arena *arena) {
     mt_pieces *parts = mt_arena_new(arena, (size_t)side->shape.count, sizeof *parts);
@@ -30,8 +29,7 @@ static mt_status decompose_all(mt_side *side, mt_arena *arena) {
     return MT_OK;
 }
 
-/* ---- 2.2.1 mapping the connected weights
- * -------------------------------------------------------------------- */
+/* ---- 2.2.1 mapping the connected weights --------------------------------------------------------------- */
 
 static mt_hull *hulls_of(const mt_side *side, mt_arena *arena, mt_status *status) {
     mt_hull *hulls = mt_arena_new(arena, (size_t)side->shape.count, sizeof *hulls);
@@ -56,8 +54,7 @@ static mt_status match_components(mt_morph *morph, const mt_params *params, mt_a
     return mt_match(s, rows, columns, params->rounds, params->threshold, arena, &morph->matches);
 }
 
-/* ---- 2.3 formula (5): B turned by -q
- * ------------------------------------------------------------------------ */
+/* ---- 2.3 formula (5): B turned by -q ------------------------------------------------------------------- */
 
 static mt_status turn_b(mt_morph *morph, const mt_params *params, mt_arena *arena) {
     if (params->rotation == MT_ROTATION_NONE) return MT_OK;
@@ -78,45 +75,7 @@ static mt_status turn_b(mt_morph *morph, const mt_params *params, mt_arena *aren
     return status;
 }
 
-/* ---- what is aligned, and what goes by pieces
- * ---------------------------------------------------------------- */
-
-static bool is_one_to_one(const mt_links *matches, mt_link match) {
-    for (int i = 0; i < matches->count; i++) {
-        mt_link other = matches->links[i];
-        if ((other.a == match.a) != (other.b == match.b)) return false;
-    }
-    return true;
-}
-
-static size_t ring_count(const mt_shape *shape) {
-    size_t count = 0;
-    for (int k = 0; k < shape->count; k++) count += (size_t)shape->components[k].count;
-    return count;
-}
-
-/* Aligns each pair of components that have only each other; the matches that remain go to `rest`. */
-static mt_status align_components(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_links *rest) {
-    size_t room = ring_count(&morph->a.shape) + ring_count(&morph->b.shape);
-    morph->contours = mt_arena_new(arena, room, sizeof(mt_masters));
-    *rest = (mt_links){0, mt_arena_new(arena, (size_t)morph->matches.count, sizeof(mt_link))};
-    if (!morph->contours || !rest->links) return MT_NO_MEMORY;
-    for (int i = 0; i < morph->matches.count; i++) {
-        mt_link match = morph->matches.links[i];
-        mt_masters *to = morph->contours + morph->contour_count;
-        int made = 0;
-        mt_status status = MT_OK;
-        if (is_one_to_one(&morph->matches, match))
-            status = mt_join(&morph->a, match.a, &morph->b, match.b, params, arena, to, &made);
-        if (status != MT_OK) return status;
-        morph->contour_count += made;
-        if (made == 0) rest->links[rest->count++] = match;
-    }
-    return MT_OK;
-}
-
-/* ---- all of it
- * ---------------------------------------------------------------------------------------------- */
+/* ---- all of it ----------------------------------------------------------------------------------------- */
 
 mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_params *params, mt_arena *arena,
                            mt_morph *morph) {
@@ -129,15 +88,14 @@ mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_params
     if (status == MT_OK && a->count) status = match_components(&made, params, arena);
     mt_links by_pieces = made.matches;
     if (status == MT_OK && params->method == MT_METHOD_JOINT)
-        status = align_components(&made, params, arena, &by_pieces);
+        status = mt_joint(&made, params, arena, &by_pieces);
     if (status == MT_OK)
         status = mt_link_pieces(&made.a, &made.b, &by_pieces, params->one_scale, arena, &made.links);
     if (status == MT_OK) *morph = made;
     return status;
 }
 
-/* ---- 2.3 the blend
- * ------------------------------------------------------------------------------------------- */
+/* ---- 2.3 the blend ------------------------------------------------------------------------------------- */
 
 /* Formula (4): a Minkowski sum for each link, and room for `more` rings after them. */
 static mt_status sums_of_links(const mt_morph *morph, mt_weights weights, int more, mt_arena *arena,
@@ -190,8 +148,7 @@ mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, const mt_par
     return mt_union(&all, arena, blend);
 }
 
-/* ---- the blend as curves
- * -------------------------------------------------------------------------------------- */
+/* ---- the blend as curves ------------------------------------------------------------------------------- */
 
 static mt_status fit_shape(const mt_shape *shape, const mt_params *params, mt_arena *arena,
                            mt_outline *outline) {

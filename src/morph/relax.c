@@ -58,8 +58,7 @@ mt_status mt_relax(double *s, int rows, int columns, int rounds, mt_arena *arena
     return MT_OK;
 }
 
-/* ---- matches
- * ----------------------------------------------------------------------------------------------- */
+/* ---- matches ------------------------------------------------------------------------------------------- */
 
 typedef struct mt_table {
     int rows, columns;

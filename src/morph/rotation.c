@@ -57,8 +57,7 @@ mt_status mt_shape_turn(const mt_shape *shape, mt_point centre, double degrees, 
     return MT_OK;
 }
 
-/* ---- principal axes
- * ---------------------------------------------------------------------------------------- */
+/* ---- principal axes ------------------------------------------------------------------------------------ */
 
 /* The axis as a vector at twice its angle, whose length is how much the shape is longer than wide (0 … 1). */
 typedef struct mt_axis {

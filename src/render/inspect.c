@@ -34,7 +34,7 @@ static const colour palette[] = {
 };
 #define PALETTE_COUNT ((int)(sizeof palette / sizeof palette[0]))
 
-/* ---- colours: one for each group of components that matches hold together ----------------------- */
+/* ---- colours: one for each group of components that matches hold together ------------------------------ */
 
 static int root_of(const int *parent, int node) {
     while (parent[node] != node) node = parent[node];
@@ -65,7 +65,7 @@ static void set_colour(cairo_t *cairo, int number, double alpha) {
     cairo_set_source_rgba(cairo, c.red, c.green, c.blue, alpha);
 }
 
-/* ---- where a glyph stands ----------------------------------------------------------------------- */
+/* ---- where a glyph stands ------------------------------------------------------------------------------ */
 
 /* From B's or A's grid to the page. */
 typedef struct placing {
@@ -110,7 +110,7 @@ static void piece_centre(const mt_ring *piece, const placing *at, double *x, dou
     to_page(at, x, y);
 }
 
-/* ---- the drawing -------------------------------------------------------------------------------- */
+/* ---- the drawing --------------------------------------------------------------------------------------- */
 
 static void draw_component(cairo_t *cairo, const mt_side *side, int index, int number, const placing *at) {
     const mt_component *component = &side->shape.components[index];
@@ -238,7 +238,7 @@ static mt_status draw_view(cairo_t *cairo, const mt_view *view, double size, dou
     return MT_OK;
 }
 
-/* ---- the picture -------------------------------------------------------------------------------- */
+/* ---- the picture --------------------------------------------------------------------------------------- */
 
 static double row_height(double size) {
     return PANEL * size + CAPTION * mt_label_height(size) + GAP * size;

@@ -2,7 +2,7 @@
 
 #include "geometry/memory.h"
 
-/* ---- glyphs as Cairo paths ---------------------------------------------------------------------- */
+/* ---- glyphs as Cairo paths ----------------------------------------------------------------------------- */
 
 static void move_to(hb_draw_funcs_t *draw, void *cairo, hb_draw_state_t *state, float x, float y,
                     void *user) {
@@ -58,7 +58,7 @@ void mt_glyph_draw(const mt_instance *instance, uint32_t glyph, cairo_t *cairo, 
     fill(cairo);
 }
 
-/* ---- instances ---------------------------------------------------------------------------------- */
+/* ---- instances ----------------------------------------------------------------------------------------- */
 
 static void read_extents(mt_instance *instance) {
     hb_font_extents_t extents = {0};
@@ -123,7 +123,7 @@ bool mt_instance_glyph(const mt_instance *instance, uint32_t code_point, uint32_
     return hb_font_get_nominal_glyph(instance->font, code_point, glyph);
 }
 
-/* ---- measures ----------------------------------------------------------------------------------- */
+/* ---- measures ------------------------------------------------------------------------------------------ */
 
 static void widen(mt_extents *all, mt_extents one) {
     if (one.left < all->left) all->left = one.left;
@@ -143,7 +143,7 @@ mt_extents mt_glyph_extents(const mt_instance *instance, uint32_t glyph) {
                         .advance = hb_font_get_glyph_h_advance(instance->font, glyph) / units};
 }
 
-/* ---- lines of text ------------------------------------------------------------------------------ */
+/* ---- lines of text ------------------------------------------------------------------------------------- */
 
 /* A glyph of a shaped line and its place, font units, y upwards. */
 typedef struct placed {

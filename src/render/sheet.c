@@ -39,7 +39,7 @@ typedef struct sheet_page {
     double width, height;
 } sheet_page;
 
-/* ---- the layout --------------------------------------------------------------------------------- */
+/* ---- the layout ---------------------------------------------------------------------------------------- */
 
 static void code_point_label(uint32_t code_point, char *text, size_t room) {
     snprintf(text, room, "U+%04lX", (unsigned long)code_point);
@@ -74,7 +74,7 @@ static void lay_out(sheet_page *page) {
     page->pages = (sheet->count + page->rows - 1) / page->rows;
 }
 
-/* ---- the drawing -------------------------------------------------------------------------------- */
+/* ---- the drawing --------------------------------------------------------------------------------------- */
 
 /* A label that shrinks until it is no wider than `room`. */
 static double fitting_height(const char *text, double height, double room) {
@@ -183,7 +183,7 @@ static void draw_page(const sheet_page *page, cairo_t *cairo, int number) {
     }
 }
 
-/* ---- the files ---------------------------------------------------------------------------------- */
+/* ---- the files ----------------------------------------------------------------------------------------- */
 
 static mt_status save_pages_in_one(const sheet_page *page, mt_format format, const char *path) {
     mt_canvas canvas;
@@ -252,7 +252,7 @@ static mt_status save_pages_apart(const sheet_page *page, mt_format format, cons
     return status;
 }
 
-/* ---- the sheet ---------------------------------------------------------------------------------- */
+/* ---- the sheet ----------------------------------------------------------------------------------------- */
 
 static bool in_range(const mt_sheet *sheet) {
     return sheet->step_count >= 1 && sheet->step_count <= MT_STEPS_MAX && sheet->count >= 1 &&

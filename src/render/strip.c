@@ -34,7 +34,7 @@ typedef struct strip_page {
     bool stacked;           /* a long text */
 } strip_page;
 
-/* ---- the text ----------------------------------------------------------------------------------- */
+/* ---- the text ------------------------------------------------------------------------------------------ */
 
 static int count_lines(const char *text) {
     int lines = 1;
@@ -85,7 +85,7 @@ static mt_status shape_step(strip_page *page, int step) {
     return MT_OK;
 }
 
-/* ---- the layout --------------------------------------------------------------------------------- */
+/* ---- the layout ---------------------------------------------------------------------------------------- */
 
 static double larger(double a, double b) {
     return a > b ? a : b;
@@ -138,7 +138,7 @@ static mt_status open_canvas(const strip_page *page, mt_format format, mt_canvas
     return mt_canvas_open(format, width, height, canvas);
 }
 
-/* ---- the drawing -------------------------------------------------------------------------------- */
+/* ---- the drawing --------------------------------------------------------------------------------------- */
 
 static void draw_label(const strip_page *page, int step, cairo_t *cairo, double left, double baseline) {
     char label[32];

@@ -1,0 +1,18 @@
+/* Joining two matched components, or shares of components: one moving contour for each pair of rings. */
+#ifndef MT_JOIN_H
+#define MT_JOIN_H
+
+#include "morph/morph.h"
+
+/* A component, or a share of one, in its glyph's box. */
+typedef struct mt_part {
+    const mt_component *component;
+    mt_box box;
+} mt_part;
+
+/* Aligns the outer rings of the two parts and those holes that have a counterpart; a hole without one closes to a point
+ * inside the other part's ink. Writes at most as many contours as both have rings, and their number to *made; none when
+ * the half-way contours would run into themselves or each other. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
+mt_status mt_join(mt_part a, mt_part b, const mt_params *params, mt_arena *arena, mt_masters *contours, int *made);
+
+#endif
