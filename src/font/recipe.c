@@ -7,7 +7,7 @@
 
 int mt_recipe_units(const mt_font *a, const mt_font *b) {
     int units = mt_font_units(a) > mt_font_units(b) ? mt_font_units(a) : mt_font_units(b);
-    while (units < 2000) units *= 2;
+    while (units < 1000) units *= 2;
     return units;
 }
 

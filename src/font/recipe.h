@@ -4,8 +4,7 @@
 
 #include "font/write.h"
 
-/* The new font's units per em: the larger of the sources', doubled until it is at least 2000. A blend falls
- * between its sources' units, and on a grid of 1000 rounding alone would move a point by up to 0.7/1000 em. */
+/* The new font's units per em: the larger of the sources', doubled until it is at least 1000. */
 int mt_recipe_units(const mt_font *a, const mt_font *b);
 
 /* Fills the metrics, names, dates and embedding bits of `data` for the font at t; its units must be set.

@@ -1,0 +1,142 @@
+/* Holds a blend's ends against the sources: `ends A B at FIRST-LAST[:STEP] …` blends A with B at 0 or 1, reads the font back and
+ * measures, over the characters of the ranges, how far its outlines are from the source's own (both ways, at points no more
+ * than 1/1000 em apart, to the nearest segment). Prints the mean and the largest distance in 1/1000 em; fails over 0.25 and 1,
+ * the promise of docs/guide.md. With `same` for B, A is blended with itself at the place given. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "font/pair.h"
+#include "geometry/limits.h"
+
+#define FINE 0.1 /* flattening for the comparison, 1/1000 em */
+
+typedef struct mt_distances {
+    double total, largest;
+    long points;
+    uint32_t worst;
+    int glyphs;
+} mt_distances;
+
+static double to_segment(double x, double y, mt_point a, mt_point b) {
+    double dx = (double)b.x - a.x, dy = (double)b.y - a.y, length2 = dx * dx + dy * dy;
+    double t = length2 > 0 ? ((x - a.x) * dx + (y - a.y) * dy) / length2 : 0;
+    t = fmin(1, fmax(0, t));
+    return hypot(x - a.x - t * dx, y - a.y - t * dy);
+}
+
+static double to_rings(double x, double y, const mt_rings *rings) {
+    double least = INFINITY;
+    for (int i = 0; i < rings->count; i++)
+        for (int k = 0; k < rings->rings[i].count; k++) {
+            mt_point a = rings->rings[i].points[k], b = rings->rings[i].points[(k + 1) % rings->rings[i].count];
+            double out_x = fmax(fmin(a.x, b.x) - x, x - fmax(a.x, b.x));
+            double out_y = fmax(fmin(a.y, b.y) - y, y - fmax(a.y, b.y));
+            if (out_x < least && out_y < least) least = fmin(least, to_segment(x, y, a, b));
+        }
+    return least;
+}
+
+/* Every point of `from`, and points along its edges, against `to`. */
+static void compare(const mt_rings *from, const mt_rings *to, uint32_t c, mt_distances *sum) {
+    for (int i = 0; i < from->count; i++)
+        for (int k = 0; k < from->rings[i].count; k++) {
+            mt_point a = from->rings[i].points[k], b = from->rings[i].points[(k + 1) % from->rings[i].count];
+            int steps = 1 + (int)(hypot((double)b.x - a.x, (double)b.y - a.y) * 1000 / MT_EM);
+            for (int s = 0; s < steps; s++) {
+                double t = (double)s / steps;
+                double d = to_rings(a.x + t * ((double)b.x - a.x), a.y + t * ((double)b.y - a.y), to) * 1000 / MT_EM;
+                sum->total += d;
+                sum->points++;
+                if (d > sum->largest) {
+                    sum->largest = d;
+                    sum->worst = c;
+                }
+            }
+        }
+}
+
+static void compare_glyph(mt_font *source, mt_font *blend, uint32_t c, mt_arena *arena, mt_distances *sum) {
+    mt_shape s, b;
+    mt_rings rs, rb;
+    double advance;
+    if (!mt_font_glyph(source, c) || !mt_font_glyph(blend, c)) return;
+    if (mt_glyph_shape(source, mt_font_glyph(source, c), FINE, arena, &s, &advance) != MT_OK) return;
+    if (mt_glyph_shape(blend, mt_font_glyph(blend, c), FINE, arena, &b, &advance) != MT_OK) return;
+    if (mt_shape_rings(&s, arena, &rs) != MT_OK || mt_shape_rings(&b, arena, &rb) != MT_OK) return;
+    if ((s.count == 0) != (b.count == 0)) {
+        printf("U+%04X: ink on one side only\n", c);
+        sum->largest = INFINITY;
+        return;
+    }
+    sum->glyphs++;
+    compare(&rs, &rb, c, sum);
+    compare(&rb, &rs, c, sum);
+}
+
+static void say_failure(uint32_t c, mt_status why, void *user) {
+    (void)user;
+    printf("U+%04X: %s\n", c, mt_status_text(why));
+}
+
+enum { CHARS_MAX = 100000 };
+
+/* The code points of ranges FIRST-LAST[:STEP], hexadecimal but for the step; -1 when one is malformed. */
+static int read_ranges(int count, char **ranges, uint32_t *chars) {
+    int made = 0;
+    for (int i = 0; i < count; i++) {
+        unsigned first, last, step = 1;
+        if (sscanf(ranges[i], "%x-%x:%u", &first, &last, &step) < 2 || step == 0) return -1;
+        for (unsigned c = first; c <= last && made < CHARS_MAX; c += step) chars[made++] = c;
+    }
+    return made;
+}
+
+/* The blend at t, written and read back. */
+static mt_status blend_and_read(mt_font *a, mt_font *b, double t, const uint32_t *chars, int count, mt_font **made) {
+    char path[] = "/tmp/morphotype-ends-XXXXXX";
+    mt_params params = mt_params_default();
+    mt_blend *blend;
+    int fd = mkstemp(path);
+    if (fd < 0) return MT_CANNOT_WRITE;
+    close(fd);
+    mt_status status = mt_blend_new(a, b, &params, &blend);
+    if (status != MT_OK) return status;
+    mt_blend_on_failure(blend, say_failure, NULL);
+    status = mt_blend_set_chars(blend, chars, count);
+    if (status == MT_OK) status = mt_blend_save(blend, t, path);
+    if (status == MT_OK) status = mt_font_open(path, made);
+    mt_blend_free(blend);
+    unlink(path);
+    return status;
+}
+
+int main(int argc, char **argv) {
+    static uint32_t chars[CHARS_MAX];
+    mt_font *a, *b, *made;
+    if (argc < 5) return 2;
+    double t = atof(argv[3]);
+    const char *second = strcmp(argv[2], "same") == 0 ? argv[1] : argv[2];
+    int count = read_ranges(argc - 4, argv + 4, chars);
+    if (count < 0 || mt_font_open(argv[1], &a) != MT_OK || mt_font_open(second, &b) != MT_OK) return 2;
+    mt_status status = blend_and_read(a, b, t, chars, count, &made);
+    if (status != MT_OK) {
+        printf("%s\n", mt_status_text(status));
+        return 1;
+    }
+    mt_distances sum = {0};
+    mt_arena arena = {0};
+    for (int i = 0; i < count; i++) {
+        compare_glyph(t < 0.5 ? a : b, made, chars[i], &arena, &sum);
+        mt_arena_reset(&arena);
+    }
+    mt_arena_release(&arena);
+    mt_font_close(made);
+    mt_font_close(b);
+    mt_font_close(a);
+    double mean = sum.points ? sum.total / (double)sum.points : INFINITY;
+    printf("%d glyphs: mean %.3f, largest %.3f (U+%04X), 1/1000 em\n", sum.glyphs, mean, sum.largest, sum.worst);
+    return mean <= 0.25 && sum.largest <= 1 ? 0 : 1;
+}
