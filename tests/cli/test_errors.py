@@ -1,0 +1,183 @@
+"""What cannot be done: exit code 1, one line on stderr that names the file and the cause, nothing written."""
+
+import os
+import pathlib
+
+import cli
+
+COMMANDS = (('blend', 'x.ttf'), ('strip', 'x.png'), ('sheet', 'x.pdf'), ('inspect', 'x.svg'))
+TAKE_CHARS = [row for row in COMMANDS if row[0] != 'strip']
+PASSWORDS = pathlib.Path('/etc/passwd')
+
+
+class Fonts(cli.Test):
+    """Fonts that are none, in either place and to every command."""
+
+    def refuse(self, font, *says):
+        for command, output in COMMANDS:
+            for fonts in ((font, cli.SERIF), (cli.SERIF, font)):
+                with self.subTest(command=command, fonts=fonts):
+                    self.refused(1, command, *fonts, '--text', 'A', '-o', output, says=(font, *says))
+
+    def test_missing(self):
+        self.refuse('missing.ttf', 'No such file')
+
+    def test_missing_directory(self):
+        self.refuse('nowhere/missing.ttf', 'No such file')
+
+    def test_directory(self):
+        self.path('folder.ttf').mkdir()
+        self.refuse('folder.ttf', 'directory')
+
+    def test_empty(self):
+        self.refuse(self.write('empty.ttf', b''), 'not a font')
+
+    def test_truncated(self):
+        whole = cli.SERIF.read_bytes()
+        for length in (3, 11, 100, 1000, len(whole) // 2, len(whole) - 1000):
+            self.refuse(self.write(f'truncated-{length}.ttf', whole[:length]), 'not a font')
+
+    def test_text(self):
+        self.refuse(PASSWORDS, 'not a font')
+        self.refuse(self.write('script.ttf', '#!/bin/sh\necho A font, honestly.\n' * 100), 'not a font')
+
+    def test_noise(self):
+        self.refuse(self.write('noise.otf', bytes(i * i * 31 % 251 for i in range(20000))), 'not a font')
+
+    def test_name_with_a_line_end(self):
+        self.refused(1, 'blend', 'two\nlines.ttf', cli.SERIF, '-o', 'x.ttf', says=['two?lines.ttf'])
+
+    def test_no_such_face(self):
+        for face in ('#7', '#1', '#x', '#-1', '#99999999999'):
+            self.refuse(f'{cli.SERIF}{face}', 'face')
+
+    def test_no_such_axis(self):
+        self.refuse(f'{cli.SERIF}@wght=700', 'axis')
+        self.refuse(f'{cli.INTER}@wdht=700', 'axis')
+
+    def test_bad_axis(self):
+        for axes in ('@wght=heavy', '@wght=9999', '@wght', '@wght=', '@', '@wght=400,wght=500'):
+            self.refuse(f'{cli.INTER}{axes}', 'axis')
+
+
+class Characters(cli.Test):
+    """Characters that are not there."""
+
+    def test_text_with_characters_that_a_font_lacks(self):
+        for command, output in COMMANDS:
+            with self.subTest(command=command):
+                said = self.refused(1, command, cli.SANS_BOLD, cli.SERIF, '--text', 'A形永A', '-o', output,
+                                    says=['形 (U+5F62), 永 (U+6C38)', f'{cli.SANS_BOLD} lacks', f'{cli.SERIF} lacks'])
+                self.assertNotIn('U+0041', said)
+
+    def test_only_the_font_that_lacks_them_is_named(self):
+        latin = cli.cut_font(self.path('latin.ttf'), 'ABC')
+        self.refused(1, 'strip', cli.SERIF, latin, '--text', 'AЖ', '-o', 'x.png', says=['latin.ttf lacks Ж (U+0416)'])
+        self.assertNotIn(str(cli.SERIF), self.refused(1, 'strip', cli.SERIF, latin, '--text', 'Ж', '-o', 'x.png'))
+
+    def test_many_of_them_stay_one_line(self):
+        text = ''.join(map(chr, range(0x4e00, 0x5000)))
+        said = self.refused(1, 'strip', cli.SANS_BOLD, cli.SERIF, '--text', text, '-o', 'x.png', says=['and 500 more'])
+        self.assertLess(len(said), 1000)
+
+    def test_control_characters_are_not_echoed(self):
+        said = self.refused(1, 'strip', cli.SANS_BOLD, cli.SERIF, '--text', 'A\x1b\x07', '-o', 'x.png', says=['U+001B'])
+        self.assertNotIn('\x1b', said)
+
+    def test_one_font(self):
+        self.refused(1, 'inspect', cli.SERIF, '--text', '形', '--json', says=[cli.SERIF, '形 (U+5F62)'])
+
+    def test_nothing_in_common(self):
+        upper, lower = (cli.cut_font(self.path(name), text) for name, text in (('A.ttf', 'XYZ'), ('B.ttf', 'xyz')))
+        self.refused(1, 'blend', upper, lower, '-o', 'x.ttf', says=['A.ttf', 'B.ttf', 'no character in common'])
+        chars = self.write('chars', 'XYZ xyz')
+        for command, output in TAKE_CHARS:
+            self.refused(1, command, upper, lower, '--chars', chars, '-o', output, says=['chars', 'none'])
+
+    def test_drawn_in_one_font_only(self):
+        cli.cut_font(self.path('blank.ttf'), 'AB', blank='B')
+        self.refused(1, 'inspect', cli.SANS_BOLD, 'blank.ttf', '--text', 'AB', '-o', 'x.svg',
+                     says=['blank.ttf', 'B (U+0042)'])
+
+
+class CharactersFile(cli.Test):
+    """--chars with a file that is wrong."""
+
+    def refuse(self, content, *says):
+        path = content if isinstance(content, pathlib.Path) else self.write('chars.txt', content)
+        for command, output in TAKE_CHARS:
+            self.refused(1, command, cli.SANS_BOLD, cli.SERIF, '--chars', path, '-o', output, says=(path, *says))
+
+    def test_missing(self):
+        self.refuse(self.path('nowhere.txt'), 'No such file')
+
+    def test_empty(self):
+        self.refuse('')
+        self.refuse('# nothing\n\n')
+
+    def test_not_utf8(self):
+        self.refuse(b'abc\n\xff\xfe\n', 'chars.txt:2:', 'UTF-8')
+        self.refuse(b'a\0b\n', 'chars.txt:1:')
+
+    def test_bad_ranges(self):
+        self.refuse('a\nb\nU+0042-0041\n', 'chars.txt:3:', 'backwards')
+        self.refuse('U+110000', 'chars.txt:1:')
+        self.refuse('U+0041-', 'chars.txt:1:')
+        self.refuse('U+0041-0042-0043', 'chars.txt:1:')
+        self.refuse('U+0041xyz', 'chars.txt:1:')
+
+
+class Outputs(cli.Test):
+    """Files that cannot be written."""
+
+    def refuse(self, make_path, *says):
+        for command, output in COMMANDS:
+            path = make_path(output)
+            with self.subTest(command=command):
+                self.refused(1, command, cli.SANS_BOLD, cli.SERIF, '--text', 'A', '-o', path, says=(path, *says))
+
+    def test_no_directory(self):
+        self.refuse(lambda name: f'nowhere/{name}', 'cannot be written')
+
+    def test_directory(self):
+        for _, name in COMMANDS:
+            self.path(name).mkdir()
+        self.refuse(lambda name: name, 'cannot be written')
+
+    def test_device(self):
+        for _, name in COMMANDS:
+            os.mkfifo(self.path(name))
+        self.refuse(lambda name: name, 'cannot be written')
+
+    def test_directory_without_leave(self):
+        closed = self.path('closed')
+        closed.mkdir()
+        closed.chmod(0o500)
+        self.addCleanup(closed.chmod, 0o700)
+        if os.access(closed, os.W_OK):
+            closed = pathlib.Path('/proc/self') # where root cannot make files either
+        self.refuse(lambda name: f'{closed}/{name}', 'cannot be written')
+
+    def test_first_of_several_goes_when_a_later_one_fails(self):
+        self.path('x-0.75.ttf').mkdir()
+        self.refused(1, 'blend', cli.SANS_BOLD, cli.SERIF, '--text', 'A', '--at', '0.25,0.5,0.75', '-o', 'x.ttf',
+                     says=['x-0.75.ttf'])
+        self.path('y-3.png').mkdir()
+        self.refused(1, 'sheet', cli.SANS_BOLD, cli.SERIF, '--text', 'ABCDE', '--rows', 1, '-o', 'y.png', says=['y.png'])
+
+    def test_too_large(self):
+        self.refused(1, 'strip', cli.SANS_BOLD, cli.SERIF, '--text', 'A', '--size', 8192, '-o', 'x.png', says=['x.png'])
+        self.refused(1, 'sheet', cli.SANS_BOLD, cli.SERIF, '--text', 'ABCDE', '--size', 8192, '--rows', 5, '-o', 'x.pdf',
+                     says=['x.pdf'])
+        self.refused(1, 'inspect', cli.SERIF, '--text', 'ABCDE', '--size', 8192, '-o', 'x.svg', says=['x.svg'])
+
+    def test_full_device_on_stdout(self):
+        with open('/dev/full', 'wb') as full:
+            result = self.run_program('inspect', cli.SERIF, '--text', 'A', '--json', stdout=full)
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr.decode().count('\n'), 1)
+        self.assertIn(b'stdout', result.stderr)
+
+
+if __name__ == '__main__':
+    cli.main()

@@ -1,0 +1,31 @@
+/* Sets of characters: of a text, of a file, of a font. */
+#ifndef CHARACTERS_H
+#define CHARACTERS_H
+
+#include "morphotype.h"
+
+typedef struct characters {
+    uint32_t *list; /* no two alike, in the order in which they were added */
+    int count, room;
+    uint8_t *seen; /* a bit for each code point */
+} characters;      /* all zero is empty */
+
+/* Adds one unless it is there already. MT_NO_MEMORY. */
+mt_status characters_add(characters *set, uint32_t code_point);
+bool characters_have(const characters *set, uint32_t code_point);
+void characters_free(characters *set);
+
+/* Adds those of a UTF-8 text, line ends left out. MT_BAD_PARAMETER when it is no UTF-8. */
+mt_status characters_add_text(characters *set, const char *utf8);
+
+/* Adds those of a font. */
+mt_status characters_add_font(characters *set, const mt_font *font);
+
+/* Writes "U+0041-005A, U+00C6" into `text`: ranges in order, as many as fit into `most`; with more of them,
+ * how many follow stands at the end. Sorts the list. */
+void characters_describe(characters *set, int most, char *text, size_t room);
+
+/* Writes "A (U+0041)", or the code point alone where the character cannot be shown. */
+void character_describe(uint32_t code_point, char *text, size_t room);
+
+#endif

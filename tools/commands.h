@@ -1,0 +1,12 @@
+/* The subcommands: one file each. */
+#ifndef COMMANDS_H
+#define COMMANDS_H
+
+#include "options.h"
+
+extern const cli_command blend_command;   /* blend.c */
+extern const cli_command strip_command;   /* strip.c */
+extern const cli_command sheet_command;   /* sheet.c */
+extern const cli_command inspect_command; /* inspect.c */
+
+#endif

@@ -1,0 +1,111 @@
+/* morphotype inspect: how characters are cut and matched, as a picture or as data. */
+#include "commands.h"
+#include "font/file.h"
+#include "messages.h"
+#include "render/canvas.h"
+#include "render/render.h"
+#include "work.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#define SIZE 320.0
+
+typedef struct inspection {
+    const cli_options *options;
+    mt_font *fonts[2]; /* the second NULL where there is one */
+    characters chosen;
+    mt_inspection what;
+} inspection;
+
+static bool is_json(const char *path) {
+    const char *dot = strrchr(path, '.');
+    return dot && strcasecmp(dot, ".json") == 0;
+}
+
+/* Says what went wrong, at a character or with the output. */
+static int fail_at(const inspection *this, uint32_t code_point, const char *output, mt_status status) {
+    char name[32], fonts[8192];
+    if (code_point == 0) return fail_status(output, status);
+    character_describe(code_point, name, sizeof name);
+    if (this->fonts[1])
+        work_name(this->options, fonts, sizeof fonts);
+    else
+        snprintf(fonts, sizeof fonts, "%s", this->options->fonts[0]);
+    return fail("%s: %s: %s", fonts, name, mt_status_text(status));
+}
+
+static int write_picture(const inspection *this) {
+    uint32_t failed;
+    const char *output = this->options->output;
+    mt_status status =
+        mt_inspect_save(this->fonts[0], this->fonts[1], &this->options->params, &this->what, output, &failed);
+    return status == MT_OK ? DONE : fail_at(this, failed, output, status);
+}
+
+/* Into a file, or to stdout where `path` is NULL. */
+static int write_data(const inspection *this, const char *path) {
+    uint8_t *bytes;
+    size_t length;
+    uint32_t failed;
+    mt_status status = mt_inspect_json(this->fonts[0], this->fonts[1], &this->options->params, &this->what,
+                                       &bytes, &length, &failed);
+    if (status != MT_OK) return fail_at(this, failed, path ? path : "stdout", status);
+    int outcome = DONE;
+    if (path) {
+        status = mt_file_write(path, bytes, length);
+        if (status != MT_OK) outcome = fail_status(path, status);
+    } else {
+        fwrite(bytes, 1, length, stdout); /* main looks whether stdout took it all */
+    }
+    mt_bytes_free(bytes);
+    return outcome;
+}
+
+static int write_output(const inspection *this) {
+    const cli_options *options = this->options;
+    if (!options->output) return write_data(this, NULL);
+    if (is_json(options->output)) return write_data(this, options->output);
+    int outcome = write_picture(this);
+    return outcome == DONE && options->json ? write_data(this, NULL) : outcome;
+}
+
+static int check(const cli_options *options) {
+    mt_format format;
+    if (!options->output && !options->json) return misuse(options->command, "-o OUT.svg or --json is wanted");
+    if (options->output && !is_json(options->output) && mt_format_of(options->output, &format) != MT_OK)
+        return misuse(options->command, "-o %s: inspect writes .svg, .png, .pdf and .json files",
+                      options->output);
+    if (!options->text && !options->chars_file)
+        return misuse(options->command, "--text TEXT or --chars FILE is wanted");
+    return options->output ? output_check(options->output) : DONE;
+}
+
+static int run(cli_options *options) {
+    inspection this = {.options = options};
+    int outcome = check(options), count = options->fonts[1] ? 2 : 1;
+    for (int i = 0; outcome == DONE && i < count; i++) outcome = font_open(options->fonts[i], &this.fonts[i]);
+    if (outcome == DONE) outcome = characters_choose(options, this.fonts, count, &this.chosen);
+    this.what =
+        (mt_inspection){this.chosen.list, this.chosen.count, options->size > 0 ? options->size : SIZE};
+    if (outcome == DONE) outcome = write_output(&this);
+    for (int i = 0; i < 2; i++) mt_font_close(this.fonts[i]);
+    characters_free(&this.chosen);
+    return outcome;
+}
+
+const cli_command inspect_command = {
+    .name = "inspect",
+    .summary = "components, convex pieces and links: how characters are matched",
+    .help = "usage: morphotype inspect FONT [FONT] --text TEXT [-o OUT.svg|png|pdf] [--json] [OPTION...]\n"
+            "\n"
+            "Shows each character's components by colour, its convex pieces, and the links between the "
+            "pieces of both\n"
+            "fonts. With --json the same comes as data: on stdout, or in OUT when that ends in .json.\n",
+    .takes = "otczJ",
+    .fonts_min = 1,
+    .fonts_max = 2,
+    .run = run,
+};

@@ -1,0 +1,17 @@
+/* What the program says on stderr: one line a message, with its name before it. */
+#ifndef MESSAGES_H
+#define MESSAGES_H
+
+/* Exit codes. */
+enum { DONE = 0, COULD_NOT = 1, WRONG_USAGE = 2 };
+
+/* Says one line. Control characters (a file name may hold any) become question marks. */
+__attribute__((format(printf, 1, 2))) void say(const char *format, ...);
+
+/* Says it and gives COULD_NOT. */
+__attribute__((format(printf, 1, 2))) int fail(const char *format, ...);
+
+/* Says it with a pointer to the help of `command` (NULL: of the program) and gives WRONG_USAGE. */
+__attribute__((format(printf, 2, 3))) int misuse(const char *command, const char *format, ...);
+
+#endif

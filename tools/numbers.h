@@ -1,0 +1,15 @@
+/* Numbers on the command line. */
+#ifndef NUMBERS_H
+#define NUMBERS_H
+
+#include <stdbool.h>
+
+/* Reads decimal numbers with commas between them, and nothing else, into `values`. How many; -1 when the text
+ * is malformed or has more than `most`. */
+int numbers_read(const char *text, double *values, int most);
+bool number_read(const char *text, double *value); /* just one */
+
+/* The shortest decimal that reads back as `value`, which is from 0 to 1. */
+void number_write(double value, char text[32]);
+
+#endif

@@ -1,0 +1,42 @@
+/* The command line after the subcommand's name. Options may stand before or after the fonts. */
+#ifndef OPTIONS_H
+#define OPTIONS_H
+
+#include "morphotype.h"
+
+typedef struct cli_options {
+    const char *command;
+    const char *fonts[2];   /* specs; the second NULL where there is one */
+    const char *output;     /* NULL: not given */
+    double *at;             /* T's; from mt_new */
+    int at_count;           /* 0: not given */
+    int steps;              /* 0: not given */
+    char *text;             /* UTF-8; the --text arguments, a line each; NULL: not given */
+    const char *chars_file; /* NULL: not given */
+    const char *family;     /* NULL: not given */
+    double size;            /* 0: not given */
+    int rows;               /* 0: not given */
+    bool no_labels, json, strict, quiet, verbose;
+    mt_params params;
+} cli_options;
+
+/* A subcommand. */
+typedef struct cli_command {
+    const char *name;
+    const char *summary; /* one line of the program's help */
+    const char *help;    /* the synopsis and what stands before the options' table */
+    const char *takes;   /* the short names of its own options */
+    int fonts_min, fonts_max;
+    int (*run)(cli_options *options); /* an exit code */
+} cli_command;
+
+/* Reads the arguments after the subcommand's name, argv[0]. An exit code, or -1 to run the command; either
+ * way the options are to be freed. Wrong usage is said; --help prints the help. */
+int options_read(const cli_command *command, int argc, char **argv, cli_options *options);
+void options_free(cli_options *options);
+
+/* Fills in options->at: the --at list, or `steps` (--steps before it) evenly spaced from 0 to 1. DONE or
+ * COULD_NOT. */
+int options_spread(cli_options *options, int steps);
+
+#endif

@@ -1,0 +1,240 @@
+#include "work.h"
+
+#include "characters_file.h"
+#include "geometry/memory.h"
+#include "messages.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define NAME_ROOM 8192
+#define RANGES_MOST 12 /* ranges in a summary line */
+
+/* ---- files and fonts ---------------------------------------------------------------------------- */
+
+int fail_status(const char *what, mt_status status) {
+    bool of_system = status == MT_NO_FILE || status == MT_CANNOT_WRITE;
+    if (of_system && errno) return fail("%s: %s: %s", what, mt_status_text(status), strerror(errno));
+    return fail("%s: %s", what, mt_status_text(status));
+}
+
+static int check_directory(const char *path) {
+    const char *slash = strrchr(path, '/');
+    char *directory = slash ? mt_copy_text(path) : mt_copy_text(".");
+    if (!directory) return fail_status(path, MT_NO_MEMORY);
+    if (slash) directory[slash == path ? 1 : slash - path] = '\0';
+    bool writable = access(directory, W_OK | X_OK) == 0;
+    mt_free(directory);
+    return writable ? DONE : fail_status(path, MT_CANNOT_WRITE);
+}
+
+int output_check(const char *path) {
+    struct stat about;
+    if (stat(path, &about) == 0 && !S_ISREG(about.st_mode)) {
+        errno = S_ISDIR(about.st_mode) ? EISDIR : EEXIST;
+        return fail_status(path, MT_CANNOT_WRITE);
+    }
+    return check_directory(path);
+}
+
+int font_open(const char *spec, mt_font **font) {
+    errno = 0;
+    mt_status status = mt_font_open(spec, font);
+    return status == MT_OK ? DONE : fail_status(spec, status);
+}
+
+void work_name(const cli_options *options, char *text, size_t room) {
+    snprintf(text, room, "%s and %s", options->fonts[0], options->fonts[1]);
+}
+
+/* ---- characters --------------------------------------------------------------------------------- */
+
+static bool has_char(const mt_font *font, uint32_t code_point) {
+    uint32_t next;
+    return mt_font_next_char(font, code_point, &next) && next == code_point;
+}
+
+/* Adds "FONT lacks A (U+0041), B (U+0042)" to a line, where the font lacks any. */
+static void add_lacking(const char *spec, const mt_font *font, const characters *wanted, char *line,
+                        size_t room) {
+    int lacking = 0;
+    size_t used = strlen(line);
+    for (int i = 0; i < wanted->count; i++) {
+        char name[32];
+        if (has_char(font, wanted->list[i])) continue;
+        character_describe(wanted->list[i], name, sizeof name);
+        if (lacking == 0) snprintf(line + used, room - used, "%s%s lacks %s", used ? "; " : "", spec, name);
+        if (lacking > 0 && lacking < RANGES_MOST) snprintf(line + used, room - used, ", %s", name);
+        used += strlen(line + used);
+        lacking++;
+    }
+    if (lacking > RANGES_MOST) snprintf(line + used, room - used, " and %d more", lacking - RANGES_MOST);
+}
+
+/* A text is wanted whole. */
+static int choose_text(const cli_options *options, mt_font *const *fonts, int count, characters *chosen) {
+    char line[NAME_ROOM] = "";
+    mt_status status = characters_add_text(chosen, options->text);
+    if (status != MT_OK) return fail_status("--text", status);
+    if (chosen->count == 0) return misuse(options->command, "--text: no characters");
+    for (int i = 0; i < count; i++) add_lacking(options->fonts[i], fonts[i], chosen, line, sizeof line);
+    return *line ? fail("%s", line) : DONE;
+}
+
+static void say_left_out(const cli_options *options, characters *set, const char *where) {
+    char ranges[512];
+    if (options->quiet || set->count == 0) return;
+    characters_describe(set, RANGES_MOST, ranges, sizeof ranges);
+    say("%d character%s %s, left out: %s", set->count, set->count == 1 ? "" : "s", where, ranges);
+}
+
+/* Of a file, those that all fonts have. */
+static int choose_file(const cli_options *options, mt_font *const *fonts, int count, characters *chosen) {
+    characters wanted = {0}, left_out = {0};
+    int outcome = characters_add_file(&wanted, options->chars_file);
+    mt_status status = MT_OK;
+    for (int i = 0; outcome == DONE && status == MT_OK && i < wanted.count; i++) {
+        bool everywhere = true;
+        for (int k = 0; k < count; k++) everywhere = everywhere && has_char(fonts[k], wanted.list[i]);
+        status = characters_add(everywhere ? chosen : &left_out, wanted.list[i]);
+    }
+    if (status != MT_OK) outcome = fail_status(options->chars_file, status);
+    if (outcome == DONE && chosen->count == 0)
+        outcome = fail("%s: none of its %d characters is in both fonts", options->chars_file, wanted.count);
+    if (outcome == DONE) say_left_out(options, &left_out, "not in both fonts");
+    characters_free(&wanted);
+    characters_free(&left_out);
+    return outcome;
+}
+
+int characters_choose(const cli_options *options, mt_font *const *fonts, int count, characters *chosen) {
+    if (options->text) return choose_text(options, fonts, count, chosen);
+    if (options->chars_file) return choose_file(options, fonts, count, chosen);
+    return DONE;
+}
+
+/* Those of `own` that `other` lacks. */
+static mt_status subtract(const characters *own, const characters *other, characters *only) {
+    mt_status status = MT_OK;
+    for (int i = 0; status == MT_OK && i < own->count; i++)
+        if (!characters_have(other, own->list[i])) status = characters_add(only, own->list[i]);
+    return status;
+}
+
+static void say_only_in(const cli_options *options, const char *spec, characters *only) {
+    char where[NAME_ROOM];
+    snprintf(where, sizeof where, "only in %s", spec);
+    say_left_out(options, only, where);
+}
+
+/* A whole font: what stands in one font only is left out of it. MT_NOTHING_SHARED when that is everything. */
+static mt_status summarise(const cli_options *options, mt_font *const *fonts) {
+    characters all[2] = {{0}}, only[2] = {{0}};
+    mt_status status = MT_OK;
+    for (int i = 0; i < 2 && status == MT_OK; i++) status = characters_add_font(&all[i], fonts[i]);
+    for (int i = 0; i < 2 && status == MT_OK; i++) status = subtract(&all[i], &all[1 - i], &only[i]);
+    if (status == MT_OK && only[0].count == all[0].count) status = MT_NOTHING_SHARED;
+    for (int i = 0; i < 2; i++) {
+        if (status == MT_OK) say_only_in(options, options->fonts[i], &only[i]);
+        characters_free(&all[i]);
+        characters_free(&only[i]);
+    }
+    return status;
+}
+
+/* ---- glyphs that could not be blended ----------------------------------------------------------- */
+
+/* An mt_glyph_failed. Threads report in any order. */
+static void note_failure(uint32_t code_point, mt_status why, void *user) {
+    cli_work *work = user;
+    if (work->failure_count == work->failure_room) {
+        int room = work->failure_room ? 2 * work->failure_room : 64;
+        failure *failures = mt_grow(work->failures, (size_t)room, sizeof *failures);
+        work->lost_failures |= !failures;
+        if (!failures) return;
+        work->failures = failures;
+        work->failure_room = room;
+    }
+    work->failures[work->failure_count++] = (failure){code_point, why};
+}
+
+static int compare_failures(const void *a, const void *b) {
+    uint32_t x = ((const failure *)a)->code_point, y = ((const failure *)b)->code_point;
+    return (x > y) - (x < y);
+}
+
+int work_failures(cli_work *work) {
+    const cli_options *options = work->options;
+    int count = work->failure_count;
+    progress_erase(&work->bar);
+    if (count > 0) qsort(work->failures, (size_t)count, sizeof *work->failures, compare_failures);
+    for (int i = 0; i < count && (options->strict || !options->quiet); i++) {
+        char name[32];
+        character_describe(work->failures[i].code_point, name, sizeof name);
+        say("%s: not blended, %s: %s", name,
+            options->strict ? "as --strict asks" : "the nearer font's glyph stands in",
+            mt_status_text(work->failures[i].why));
+    }
+    if (work->lost_failures) return fail("%s", mt_status_text(MT_NO_MEMORY));
+    if (!options->strict || count == 0) return DONE;
+    return fail("%d glyph%s could not be blended; nothing written (--strict)", count, count == 1 ? "" : "s");
+}
+
+int work_fail(cli_work *work, mt_status status) {
+    char name[NAME_ROOM];
+    bool of_output = status == MT_CANNOT_WRITE || status == MT_UNKNOWN_FORMAT || status == MT_TOO_LARGE;
+    progress_erase(&work->bar);
+    if (work->stopped) return COULD_NOT;
+    if (of_output) return fail_status(work->options->output, status);
+    work_name(work->options, name, sizeof name);
+    return fail_status(name, status);
+}
+
+/* ---- the blend ---------------------------------------------------------------------------------- */
+
+static void explain(const cli_work *work) {
+    if (!work->options->verbose) return;
+    for (int i = 0; i < 2; i++)
+        say("%s: %s %s", work->options->fonts[i], mt_font_family(work->fonts[i]),
+            mt_font_style(work->fonts[i]));
+}
+
+static int make_blend(cli_work *work) {
+    const cli_options *options = work->options;
+    mt_status status = mt_blend_new(work->fonts[0], work->fonts[1], &options->params, &work->blend);
+    if (status == MT_OK && options->family) status = mt_blend_set_family(work->blend, options->family);
+    if (status == MT_OK && work->chosen.count > 0)
+        status = mt_blend_set_chars(work->blend, work->chosen.list, work->chosen.count);
+    if (status == MT_OK && work->chosen.count == 0) status = summarise(options, work->fonts);
+    if (status != MT_OK) return work_fail(work, status);
+    mt_blend_on_failure(work->blend, note_failure, work);
+    mt_blend_on_progress(work->blend, progress_draw, &work->bar);
+    return DONE;
+}
+
+int work_begin(const cli_options *options, cli_work *work) {
+    *work = (cli_work){.options = options, .bar = progress_begin(options->quiet)};
+    int outcome = DONE;
+    for (int i = 0; i < 2 && outcome == DONE; i++) outcome = font_open(options->fonts[i], &work->fonts[i]);
+    if (outcome == DONE) explain(work);
+    if (outcome == DONE) outcome = characters_choose(options, work->fonts, 2, &work->chosen);
+    return outcome == DONE ? make_blend(work) : outcome;
+}
+
+mt_status work_made(void *user) {
+    cli_work *work = user;
+    work->stopped = work_failures(work) != DONE;
+    return work->stopped ? MT_BAD_GEOMETRY : MT_OK;
+}
+
+void work_end(cli_work *work) {
+    progress_erase(&work->bar);
+    mt_blend_free(work->blend);
+    for (int i = 0; i < 2; i++) mt_font_close(work->fonts[i]);
+    characters_free(&work->chosen);
+    mt_free(work->failures);
+}

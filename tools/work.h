@@ -1,0 +1,56 @@
+/* What blend, strip and sheet have in common: two fonts, the characters asked for, and a blend that reports
+ * on itself. */
+#ifndef WORK_H
+#define WORK_H
+
+#include "characters.h"
+#include "options.h"
+#include "progress.h"
+
+typedef struct failure {
+    uint32_t code_point;
+    mt_status why;
+} failure;
+
+typedef struct cli_work {
+    const cli_options *options;
+    mt_font *fonts[2];
+    mt_blend *blend;
+    characters chosen; /* those of --text or --chars that both fonts have; empty without either */
+    progress bar;
+    failure *failures; /* glyphs that could not be blended, each once */
+    int failure_count, failure_room;
+    bool lost_failures; /* there was no memory to note one */
+    bool stopped;       /* work_made has said why */
+} cli_work;
+
+/* Whether the file can be written as far as can be told before the work. DONE or, said, COULD_NOT. */
+int output_check(const char *path);
+
+/* Says why a status on a file, a font or a pair came about, and gives COULD_NOT. */
+int fail_status(const char *what, mt_status status);
+
+/* Opens a font; DONE or, said, COULD_NOT. */
+int font_open(const char *spec, mt_font **font);
+
+/* Collects the characters of --text, all of which each of the `count` fonts must have, or those of --chars
+ * that all have. Those that are left out are told once. DONE or, said, COULD_NOT. */
+int characters_choose(const cli_options *options, mt_font *const *fonts, int count, characters *chosen);
+
+/* Opens both fonts and makes the blend, of the characters chosen, for `options->at_count` fonts. DONE or,
+ * said, COULD_NOT; either way the work is to be ended. */
+int work_begin(const cli_options *options, cli_work *work);
+/* Says which glyphs could not be blended, once all fonts are made. COULD_NOT with --strict and any of them,
+ * otherwise DONE. */
+int work_failures(cli_work *work);
+/* The same as what a strip or a sheet calls when its fonts are made; the user data is the work. */
+mt_status work_made(void *user);
+/* Says why a call that worked on the blend came to nothing, naming the output or the fonts, unless work_made
+ * has said it; COULD_NOT. */
+int work_fail(cli_work *work, mt_status status);
+void work_end(cli_work *work);
+
+/* "A and B" as the fonts were given, for messages; cut where it does not fit. */
+void work_name(const cli_options *options, char *text, size_t room);
+
+#endif
