@@ -36,7 +36,8 @@ static inline int64_t mt_orient(mt_point a, mt_point b, mt_point c) {
 }
 
 /* The sign of the in-circle determinant: > 0 when d is inside the circle through a, b, c (anticlockwise).
- * Exact for coordinates whose differences are at most sixteen times MT_COORD_MAX. */
+ * Exact for differences up to 2^28, 32 times
+ * MT_COORD_MAX. */
 int mt_in_circle(mt_point a, mt_point b, mt_point c, mt_point d);
 
 /* Squared distance. */

@@ -155,16 +155,21 @@ static int by_place(const void *p, const void *q) {
     return (a->vertex > b->vertex) - (a->vertex < b->vertex);
 }
 
-static mt_stop *insertion_order(const mt_work *w) {
+/* The longer side of the points' box, at least 1. All that the insertion depends on is taken relative to the box's corner and
+ * this side, so that a moved or scaled component is triangulated alike, ties included. */
+static int64_t longer_side(mt_box box) {
+    int64_t width = (int64_t)box.max.x - box.min.x, height = (int64_t)box.max.y - box.min.y;
+    int64_t side = width > height ? width : height;
+    return side > 0 ? side : 1;
+}
+
+static mt_stop *insertion_order(const mt_work *w, mt_box box) {
     mt_stop *stops = mt_arena_new(w->arena, (size_t)w->vertex_count, sizeof *stops);
     if (!stops) return NULL;
-    mt_ring all = {w->vertex_count, w->points, NULL};
-    mt_box box = mt_ring_box(&all);
-    int64_t width = (int64_t)box.max.x - box.min.x, height = (int64_t)box.max.y - box.min.y;
-    int64_t side = (width > height ? width : height) + 1;
+    int64_t side = longer_side(box);
     for (int i = 0; i < w->vertex_count; i++) {
-        uint32_t x = (uint32_t)(((int64_t)w->points[i].x - box.min.x) * 65536 / side);
-        uint32_t y = (uint32_t)(((int64_t)w->points[i].y - box.min.y) * 65536 / side);
+        uint32_t x = (uint32_t)(((int64_t)w->points[i].x - box.min.x) * 65535 / side);
+        uint32_t y = (uint32_t)(((int64_t)w->points[i].y - box.min.y) * 65535 / side);
         stops[i] = (mt_stop){hilbert(x, y), i};
     }
     qsort(stops, (size_t)w->vertex_count, sizeof *stops, by_place);
@@ -238,15 +243,16 @@ static mt_status insert(mt_work *w, int vertex, int *near) {
 }
 
 static mt_status insert_vertices(mt_work *w) {
-    /* The triangle around: at least three times MT_COORD_MAX away from every point. */
     int n = w->vertex_count;
-    const int32_t far = 4 * MT_COORD_MAX;
-    w->points[n] = (mt_point){-far, -far};
-    w->points[n + 1] = (mt_point){3 * far, -far};
-    w->points[n + 2] = (mt_point){-far, 3 * far};
+    mt_ring all = {n, w->points, NULL};
+    mt_box box = mt_ring_box(&all);
+    int32_t far = (int32_t)(4 * longer_side(box)); /* the triangle around: four sides away, 16 long */
+    w->points[n] = (mt_point){box.min.x - far, box.min.y - far};
+    w->points[n + 1] = (mt_point){box.min.x + 3 * far, box.min.y - far};
+    w->points[n + 2] = (mt_point){box.min.x - far, box.min.y + 3 * far};
     for (int i = 0; i < 3; i++) put(w, i, (mt_edge){.start = n + i, .twin = -1});
     w->edge_count = 3;
-    mt_stop *stops = insertion_order(w);
+    mt_stop *stops = insertion_order(w, box);
     if (!stops) return MT_NO_MEMORY;
     int near = 0;
     for (int i = 0; i < n; i++) {
@@ -457,7 +463,8 @@ static mt_status gather(const mt_component *component, mt_work *w, mt_mesh *mesh
         const mt_ring *ring = &component->rings[i];
         for (int k = 0; k < ring->count; k++, v++) {
             mt_point p = ring->points[k];
-            if (abs(p.x) > MT_COORD_MAX || abs(p.y) > MT_COORD_MAX) return MT_TOO_LARGE;
+            bool fits = p.x >= -MT_COORD_MAX && p.x <= MT_COORD_MAX && p.y >= -MT_COORD_MAX && p.y <= MT_COORD_MAX;
+            if (!fits) return MT_TOO_LARGE;
             w->points[v] = p;
             w->marks[v] = ring->marks[k];
         }
