@@ -308,10 +308,13 @@ static mt_status collect_crossed(mt_work *w, int e, int u, int v, int *reached) 
     }
 }
 
+/* The half-edge u→v, which is there: found by going around whichever end is no corner of the triangle around, since one
+ * cannot go all around those. */
 static int find_edge(const mt_work *w, int u, int v) {
-    int e = w->out[u];
-    while (end_of(w, e) != v) e = w->edges[prev(e)].twin;
-    return e;
+    int hub = u < w->vertex_count ? u : v, rim = hub == u ? v : u;
+    int e = w->out[hub];
+    while (end_of(w, e) != rim) e = w->edges[prev(e)].twin;
+    return hub == u ? e : w->edges[e].twin;
 }
 
 /* Whether the two triangles beside e make a strictly convex quadrangle, so that e can be flipped. */

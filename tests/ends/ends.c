@@ -27,27 +27,37 @@ static double to_segment(double x, double y, mt_point a, mt_point b) {
     return hypot(x - a.x - t * dx, y - a.y - t * dy);
 }
 
-static double to_rings(double x, double y, const mt_rings *rings) {
-    double least = INFINITY;
+typedef struct mt_nearest {
+    double distance;
+    mt_point a, b; /* the segment */
+} mt_nearest;
+
+/* The nearest segment to a place. The one found for the place before is tried first, so that most are out of reach at once. */
+static void find_nearest(double x, double y, const mt_rings *rings, mt_nearest *nearest) {
+    nearest->distance = to_segment(x, y, nearest->a, nearest->b);
     for (int i = 0; i < rings->count; i++)
-        for (int k = 0; k < rings->rings[i].count; k++) {
-            mt_point a = rings->rings[i].points[k], b = rings->rings[i].points[(k + 1) % rings->rings[i].count];
-            double out_x = fmax(fmin(a.x, b.x) - x, x - fmax(a.x, b.x));
-            double out_y = fmax(fmin(a.y, b.y) - y, y - fmax(a.y, b.y));
-            if (out_x < least && out_y < least) least = fmin(least, to_segment(x, y, a, b));
+        for (int k = 0, n = rings->rings[i].count; k < n; k++) {
+            mt_point a = rings->rings[i].points[k], b = rings->rings[i].points[k + 1 == n ? 0 : k + 1];
+            double reach = nearest->distance;
+            if ((a.x < x - reach && b.x < x - reach) || (a.x > x + reach && b.x > x + reach)) continue;
+            if ((a.y < y - reach && b.y < y - reach) || (a.y > y + reach && b.y > y + reach)) continue;
+            double distance = to_segment(x, y, a, b);
+            if (distance < nearest->distance) *nearest = (mt_nearest){distance, a, b};
         }
-    return least;
 }
 
 /* Every point of `from`, and points along its edges, against `to`. */
 static void compare(const mt_rings *from, const mt_rings *to, uint32_t c, mt_distances *sum) {
+    if (from->count == 0 || to->count == 0) return;
+    mt_nearest nearest = {0, to->rings[0].points[0], to->rings[0].points[1]};
     for (int i = 0; i < from->count; i++)
         for (int k = 0; k < from->rings[i].count; k++) {
             mt_point a = from->rings[i].points[k], b = from->rings[i].points[(k + 1) % from->rings[i].count];
             int steps = 1 + (int)(hypot((double)b.x - a.x, (double)b.y - a.y) * 1000 / MT_EM);
             for (int s = 0; s < steps; s++) {
                 double t = (double)s / steps;
-                double d = to_rings(a.x + t * ((double)b.x - a.x), a.y + t * ((double)b.y - a.y), to) * 1000 / MT_EM;
+                find_nearest(a.x + t * ((double)b.x - a.x), a.y + t * ((double)b.y - a.y), to, &nearest);
+                double d = nearest.distance * 1000 / MT_EM;
                 sum->total += d;
                 sum->points++;
                 if (d > sum->largest) {
