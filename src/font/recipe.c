@@ -7,7 +7,8 @@
 
 int mt_recipe_units(const mt_font *a, const mt_font *b) {
     int units = mt_font_units(a) > mt_font_units(b) ? mt_font_units(a) : mt_font_units(b);
-    while (units < 1000) units *= 2;
+    bool power_of_two = (units & (units - 1)) == 0;
+    while (units < (power_of_two ? 2048 : 1000)) units *= 2;
     return units;
 }
 

@@ -14,11 +14,12 @@
 
 /* ---- 1: dents ------------------------------------------------------------------------------------------ */
 
-/* A crossing that turns right, to the inside of the ink, no deeper than MT_DENT under the line between its
- * neighbours. */
+/* A crossing that turns right, to the inside of the ink, between its neighbours and no deeper than MT_DENT under the line that
+ * joins them. */
 static bool is_dent(mt_point a, mt_point b, mt_point c, uint8_t mark) {
     int64_t deep = -mt_orient(a, b, c);
-    if (!(mark & MT_CROSSING) || deep <= 0 || mt_point_equal(a, c)) return false;
+    bool between = mt_dot(a, b, a, c) > 0 && mt_dot(c, b, c, a) > 0;
+    if (!(mark & MT_CROSSING) || deep <= 0 || !between) return false;
     return (double)deep <= MT_DENT * sqrt((double)mt_distance2(a, c));
 }
 

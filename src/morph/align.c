@@ -15,16 +15,16 @@ static double angle_between(double from, double to) {
     return remainder(to - from, 2 * M_PI);
 }
 
-/* The place at share s of the edge from stop a to stop b: on the line or, for a chord, on the quadratic that
- * its two headings make, as far as they make one. */
-static mt_stop stop_between(const mt_stop *a, const mt_stop *b, bool line, double s) {
+/* The place at share s of the edge from stop a to stop b: on the line or, for a chord, on the quadratic that its two headings
+ * make, as long as that bulges by no more than flattening allows. */
+static mt_stop stop_between(const mt_stop *a, const mt_stop *b, bool line, double chord, double s) {
     double dx = b->x - a->x, dy = b->y - a->y, heading = atan2(dy, dx);
     mt_stop stop = {a->x + s * dx, a->y + s * dy, heading, heading, false, false, false};
     double turn = angle_between(a->out, b->in), off = angle_between(a->out, heading);
-    if (line || fabs(turn) < 1e-6 || fabs(turn) > M_PI / 2 || off * turn <= 0 || fabs(off) >= fabs(turn))
-        return stop;
+    if (line || off * turn <= 0 || fabs(off) >= fabs(turn) || fabs(turn) > M_PI / 2) return stop;
     double reach = hypot(dx, dy) * sin(turn - off) / sin(turn); /* from a to the control point */
-    double ux = a->out, cx = reach * cos(ux), cy = reach * sin(ux);
+    if (reach * fabs(sin(off)) / 2 > 2 * chord) return stop;
+    double cx = reach * cos(a->out), cy = reach * sin(a->out);
     stop.x = a->x + 2 * s * (1 - s) * cx + s * s * dx;
     stop.y = a->y + 2 * s * (1 - s) * cy + s * s * dy;
     stop.in = stop.out = atan2((1 - s) * cy + s * (dy - cy), (1 - s) * cx + s * (dx - cx));
@@ -35,7 +35,7 @@ static int parts_of(const mt_trace *t, int i, double step) {
     return 1 + (int)(t->length[i] / step);
 }
 
-mt_status mt_stops_of(const mt_trace *t, double step, mt_arena *arena, mt_stops *stops) {
+mt_status mt_stops_of(const mt_trace *t, double chord, double step, mt_arena *arena, mt_stops *stops) {
     int64_t total = 0;
     for (int i = 0; i < t->ring.count; i++) total += parts_of(t, i, step);
     if (total > MT_POINTS_MAX) return MT_TOO_LARGE;
@@ -46,7 +46,7 @@ mt_status mt_stops_of(const mt_trace *t, double step, mt_arena *arena, mt_stops 
         int parts = parts_of(t, i, step);
         made.stops[made.count++] = a;
         for (int k = 1; k < parts; k++)
-            made.stops[made.count++] = stop_between(&a, &b, t->line[i], (double)k / parts);
+            made.stops[made.count++] = stop_between(&a, &b, t->line[i], chord, (double)k / parts);
     }
     *stops = made;
     return MT_OK;

@@ -20,9 +20,9 @@ typedef struct mt_stops {
     mt_stop *stops;
 } mt_stops;
 
-/* The stops of a ring: its vertices, and places between them where they are further apart than `step` grid
- * units. MT_NO_MEMORY, MT_TOO_LARGE. */
-mt_status mt_stops_of(const mt_trace *trace, double step, mt_arena *arena, mt_stops *stops);
+/* The stops of a ring whose curves were flattened within `chord` grid units: its vertices, and places between them where they
+ * are further apart than `step`. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_stops_of(const mt_trace *trace, double chord, double step, mt_arena *arena, mt_stops *stops);
 
 /* An alignment: steps through both rings, once around each; from one step to the next either stop moves on by
  * one, or both. */

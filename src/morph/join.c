@@ -23,9 +23,10 @@ typedef struct mt_joining {
 
 static mt_status stops_of(const mt_joining *j, const mt_ring *ring, mt_stops *stops) {
     mt_trace trace;
-    mt_status status = mt_trace_ring(ring, mt_grid_units(j->params->tolerance), j->arena, &trace);
+    double chord = mt_grid_units(j->params->tolerance);
+    mt_status status = mt_trace_ring(ring, chord, j->arena, &trace);
     double step = fmax(1, mt_ring_length(ring) / STOPS_A_RING);
-    return status == MT_OK ? mt_stops_of(&trace, step, j->arena, stops) : status;
+    return status == MT_OK ? mt_stops_of(&trace, chord, step, j->arena, stops) : status;
 }
 
 static mt_status join_rings(const mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters) {
