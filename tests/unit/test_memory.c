@@ -1,0 +1,158 @@
+#include "support/allocation.h"
+#include "support/check.h"
+#include "support/random.h"
+
+#include <stdalign.h>
+#include <string.h>
+
+static void arrays(void **state) {
+    (void)state;
+    int *numbers = mt_new(100, sizeof *numbers);
+    assert_non_null(numbers);
+    for (int i = 0; i < 100; i++) assert_int_equal(numbers[i], 0);
+    numbers[99] = 7;
+    numbers = mt_grow(numbers, 100000, sizeof *numbers);
+    assert_non_null(numbers);
+    assert_int_equal(numbers[99], 7);
+    mt_free(numbers);
+    mt_free(NULL);
+}
+
+static void nothing_is_something(void **state) {
+    (void)state;
+    void *nothing = mt_new(0, 8);
+    assert_non_null(nothing);
+    mt_free(nothing);
+}
+
+static void products_that_overflow(void **state) {
+    (void)state;
+    mt_arena arena = {0};
+    assert_null(mt_new(SIZE_MAX, 2));
+    assert_null(mt_new(SIZE_MAX / 2 + 2, 2));
+    assert_null(mt_new(2, SIZE_MAX));
+    assert_null(mt_arena_new(&arena, SIZE_MAX, 1));
+    assert_null(mt_arena_new(&arena, SIZE_MAX / 16 + 2, 16));
+    assert_null(mt_arena_new(&arena, PTRDIFF_MAX, 1));
+    assert_non_null(mt_arena_new(&arena, 1, 1));
+    mt_arena_release(&arena);
+}
+
+static void texts(void **state) {
+    (void)state;
+    char *copy = mt_copy_text("ü形");
+    assert_string_equal(copy, "ü形");
+    mt_free(copy);
+    copy = mt_copy_text("");
+    assert_string_equal(copy, "");
+    mt_free(copy);
+}
+
+static bool all_zero(const unsigned char *bytes, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        if (bytes[i]) return false;
+    return true;
+}
+
+enum { HELD = 400 };
+
+/* Everything is aligned and zeroed, even where the arena was used before, and nothing lies over anything
+ * else. */
+static void fill(mt_arena *arena, mt_random *random) {
+    unsigned char *held[HELD];
+    size_t sizes[HELD];
+    for (int i = 0; i < HELD; i++) {
+        sizes[i] = (size_t)mt_random_between(random, 0, mt_random_one_in(random, 20) ? 100000 : 900);
+        held[i] = mt_arena_new(arena, sizes[i], 1);
+        assert_non_null(held[i]);
+        assert_int_equal((uintptr_t)held[i] % alignof(max_align_t), 0);
+        assert_true(all_zero(held[i], sizes[i]));
+        memset(held[i], i % 255 + 1, sizes[i]);
+    }
+    for (int i = 0; i < HELD; i++)
+        for (size_t k = 0; k < sizes[i]; k++) assert_int_equal(held[i][k], i % 255 + 1);
+}
+
+static void arena_of_many(void **state) {
+    (void)state;
+    mt_arena arena = {0};
+    mt_random random = mt_random_case(0);
+    for (int round = 0; round < 4; round++) {
+        fill(&arena, &random);
+        mt_arena_reset(&arena);
+    }
+    mt_arena_release(&arena);
+    assert_null(arena.first);
+    fill(&arena, &random);
+    mt_arena_release(&arena);
+}
+
+static void marks(void **state) {
+    (void)state;
+    mt_arena arena = {0};
+    mt_random random = mt_random_case(1);
+    mt_arena_place empty = mt_arena_mark(&arena);
+    unsigned char *kept = mt_arena_new(&arena, 5000, 1);
+    assert_non_null(kept);
+    memset(kept, 0xaa, 5000);
+    for (int round = 0; round < 5; round++) {
+        mt_arena_place place = mt_arena_mark(&arena);
+        fill(&arena, &random);
+        mt_arena_rewind(&arena, place);
+        for (int i = 0; i < 5000; i++) assert_int_equal(kept[i], 0xaa);
+    }
+    mt_arena_rewind(&arena, empty);
+    fill(&arena, &random);
+    mt_arena_release(&arena);
+}
+
+/* After the first glyph the arena has its blocks and asks for no more. */
+static void blocks_are_kept(void **state) {
+    (void)state;
+    mt_allocation_watch();
+    mt_arena arena = {0};
+    for (int glyph = 0; glyph < 10; glyph++) {
+        for (int i = 0; i < 1000; i++) assert_non_null(mt_arena_new(&arena, 500, 1));
+        mt_arena_reset(&arena);
+        if (glyph == 0) mt_allocation_fail(0, true);
+    }
+    mt_allocation_succeed();
+    assert_true(mt_allocation_live() > 0);
+    mt_arena_release(&arena);
+    assert_int_equal(mt_allocation_live(), 0);
+    mt_allocation_unwatch();
+}
+
+static void failures_change_nothing(void **state) {
+    (void)state;
+    mt_allocation_watch();
+    mt_arena arena = {0};
+    int *before = mt_arena_new(&arena, 10, sizeof *before);
+    int *array = mt_new(10, sizeof *array);
+    assert_non_null(before);
+    assert_non_null(array);
+    before[9] = array[9] = 3;
+    mt_allocation_fail(0, true);
+    assert_null(mt_new(1, 1));
+    assert_null(mt_copy_text("a"));
+    assert_null(mt_grow(array, 1000, sizeof *array));
+    assert_null(mt_arena_new(&arena, 1 << 20, 16));
+    mt_allocation_succeed();
+    assert_int_equal(before[9] + array[9], 6);
+    int *more = mt_arena_new(&arena, 10, sizeof *more);
+    assert_true(more && more != before && before[9] == 3);
+    mt_free(array);
+    mt_arena_release(&arena);
+    assert_int_equal(mt_allocation_live(), 0);
+    mt_allocation_unwatch();
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(arrays),          cmocka_unit_test(nothing_is_something),
+        cmocka_unit_test(texts),           cmocka_unit_test(products_that_overflow),
+        cmocka_unit_test(arena_of_many),   cmocka_unit_test(marks),
+        cmocka_unit_test(blocks_are_kept), cmocka_unit_test(failures_change_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,558 @@
+#include "font/sfnt.h"
+#include "font/table.h"
+#include "geometry/limits.h"
+#include "support/allocation.h"
+#include "support/check.h"
+#include "support/random.h"
+#include "support/sample.h"
+
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+static mt_arena arena;
+static char *directory;
+
+static int set_up(void **state) {
+    (void)state;
+    directory = mt_sample_directory(&arena);
+    return 0;
+}
+
+static int tear_down(void **state) {
+    (void)state;
+    mt_sample_remove(directory);
+    mt_arena_release(&arena);
+    return 0;
+}
+
+static uint8_t *write_font(const mt_font_data *data, size_t *length) {
+    uint8_t *bytes;
+    mt_assert_ok(mt_font_write(data, &bytes, length));
+    return bytes;
+}
+
+/* Writes the font and opens what was written. */
+static mt_font *reopen(const mt_font_data *data) {
+    size_t length;
+    mt_font *font;
+    uint8_t *bytes = write_font(data, &length);
+    const char *path = mt_sample_path(&arena, directory, "reopened.ttf");
+    mt_sample_save(path, bytes, length);
+    mt_bytes_free(bytes);
+    mt_assert_ok(mt_font_open(path, &font));
+    return font;
+}
+
+static int16_t read_i16(const uint8_t *bytes) {
+    return (int16_t)mt_read_u16(bytes);
+}
+
+/* ---- the container ----------------------------------------------------------------------------------------
+ */
+
+static uint32_t checksum(const uint8_t *bytes, size_t length) {
+    uint32_t sum = 0;
+    for (size_t i = 0; i < length; i++) sum += (uint32_t)bytes[i] << (24 - 8 * (i % 4));
+    return sum;
+}
+
+static void checksums_are_right(void **state) {
+    (void)state;
+    size_t length;
+    mt_font_data data = mt_sample_font(&arena);
+    uint8_t *bytes = write_font(&data, &length);
+    assert_int_equal(checksum(bytes, length), 0xB1B0AFBA);
+    assert_int_equal(mt_read_u16(bytes + 4), 10);
+    for (unsigned i = 0; i < 10; i++) {
+        const uint8_t *entry = bytes + 12 + 16 * i;
+        uint32_t sum = checksum(bytes + mt_read_u32(entry + 8), mt_read_u32(entry + 12));
+        if (memcmp(entry, "head", 4) == 0)
+            sum -= mt_read_u32(bytes + mt_read_u32(entry + 8) + 8); /* its adjustment */
+        assert_int_equal(sum, mt_read_u32(entry + 4));
+        if (i) assert_true(memcmp(entry - 16, entry, 4) < 0);
+    }
+    mt_bytes_free(bytes);
+}
+
+static void same_input_same_bytes(void **state) {
+    (void)state;
+    size_t first_length, second_length;
+    mt_font_data data = mt_sample_font(&arena);
+    uint8_t *first = write_font(&data, &first_length), *second = write_font(&data, &second_length);
+    assert_int_equal(first_length, second_length);
+    assert_memory_equal(first, second, first_length);
+    mt_bytes_free(first);
+    mt_bytes_free(second);
+}
+
+/* ---- outlines ---------------------------------------------------------------------------------------------
+ */
+
+/* A glyph with differences of every size that glyf tells apart, and runs of equal flags longer than a repeat
+ * counts. */
+static mt_glyf random_glyph(mt_random *random) {
+    static const int16_t reaches[] = {0, 1, 255, 256, 3000, 16000};
+    int count = mt_random_between(random, 1, mt_random_one_in(random, 4) ? 1200 : 40);
+    mt_glyf glyph = {.advance = (uint16_t)mt_random_between(random, 0, UINT16_MAX)};
+    glyph.points = mt_arena_new(&arena, (size_t)count, sizeof *glyph.points);
+    glyph.ends = mt_arena_new(&arena, (size_t)count, sizeof *glyph.ends);
+    assert_true(glyph.points && glyph.ends);
+    int reach = reaches[mt_random_between(random, 0, 5)];
+    for (int i = 0; i < count; i++) {
+        if (mt_random_one_in(random, 30)) reach = reaches[mt_random_between(random, 0, 5)];
+        glyph.points[i].x = (int16_t)mt_random_between(random, -reach, reach);
+        glyph.points[i].y = (int16_t)mt_random_between(random, -reach, reach);
+        glyph.points[i].on = mt_random_one_in(random, 2);
+        if (i == count - 1 || mt_random_one_in(random, 10)) glyph.ends[glyph.contour_count++] = i;
+    }
+    return glyph;
+}
+
+/* Reads 'glyf' as the specification has it, apart from the code that wrote it, and compares. */
+static void assert_reads_back(const uint8_t *bytes, size_t length, const mt_glyf *glyph) {
+    int count = glyph->ends[glyph->contour_count - 1] + 1, x = 0, y = 0;
+    const uint8_t *at = bytes + 10;
+    assert_int_equal(read_i16(bytes), glyph->contour_count);
+    for (int i = 0; i < glyph->contour_count; i++, at += 2) assert_int_equal(mt_read_u16(at), glyph->ends[i]);
+    assert_int_equal(mt_read_u16(at), 0);
+    at += 2;
+    uint8_t *flags = mt_test_new((size_t)count, 1);
+    for (int i = 0; i < count;) {
+        int times = *at & 8 ? at[1] + 1 : 1;
+        assert_true(i + times <= count && !(*at & 0xC0));
+        memset(flags + i, *at, (size_t)times);
+        at += *at & 8 ? 2 : 1;
+        i += times;
+    }
+    for (int i = 0; i < count; i++) {
+        if (flags[i] & 2)
+            x += flags[i] & 16 ? *at : -*at;
+        else if (!(flags[i] & 16))
+            x += read_i16(at);
+        at += flags[i] & 2 ? 1 : flags[i] & 16 ? 0 : 2;
+        assert_int_equal(x, glyph->points[i].x);
+        assert_int_equal(flags[i] & 1, glyph->points[i].on);
+        assert_true(read_i16(bytes + 2) <= x && x <= read_i16(bytes + 6));
+    }
+    for (int i = 0; i < count; i++) {
+        if (flags[i] & 4)
+            y += flags[i] & 32 ? *at : -*at;
+        else if (!(flags[i] & 32))
+            y += read_i16(at);
+        at += flags[i] & 4 ? 1 : flags[i] & 32 ? 0 : 2;
+        assert_int_equal(y, glyph->points[i].y);
+        assert_true(read_i16(bytes + 4) <= y && y <= read_i16(bytes + 8));
+    }
+    free(flags);
+    assert_in_range(length - (size_t)(at - bytes), 0, 1);
+}
+
+static void outlines_read_back(void **state) {
+    (void)state;
+    enum { GLYPHS = 60 };
+    mt_font_data data = mt_sample_font(&arena);
+    for (int number = 0; number < mt_test_cases(5); number++) {
+        mt_random random = mt_random_case(number);
+        size_t length;
+        data.glyphs = mt_arena_new(&arena, GLYPHS, sizeof *data.glyphs);
+        assert_non_null(data.glyphs);
+        data.glyph_count = GLYPHS;
+        for (int i = 0; i < GLYPHS; i++) data.glyphs[i] = random_glyph(&random);
+        uint8_t *bytes = write_font(&data, &length);
+        const uint8_t *glyf = mt_sample_table(bytes, "glyf", NULL),
+                      *loca = mt_sample_table(bytes, "loca", NULL);
+        bool is_long = mt_read_u16(mt_sample_table(bytes, "head", NULL) + 50);
+        for (int i = 0; i < GLYPHS; i++) {
+            size_t start = is_long ? mt_read_u32(loca + 4 * i) : 2 * mt_read_u16(loca + 2 * i);
+            size_t end = is_long ? mt_read_u32(loca + 4 * i + 4) : 2 * mt_read_u16(loca + 2 * i + 2);
+            assert_reads_back(glyf + start, end - start, &data.glyphs[i]);
+        }
+        mt_bytes_free(bytes);
+    }
+}
+
+static void offsets_grow_long(void **state) {
+    (void)state;
+    mt_random random = mt_random_case(0);
+    mt_font_data data = mt_sample_font(&arena);
+    const int count = 3000;
+    data.glyphs = mt_arena_new(&arena, (size_t)count, sizeof *data.glyphs);
+    assert_non_null(data.glyphs);
+    for (int i = 0; i < count; i++) data.glyphs[i] = random_glyph(&random);
+    for (data.glyph_count = 5; data.glyph_count <= count; data.glyph_count += count - 5) {
+        size_t length, glyf, loca;
+        uint8_t *bytes = write_font(&data, &length);
+        mt_sample_table(bytes, "glyf", &glyf);
+        mt_sample_table(bytes, "loca", &loca);
+        bool is_long = mt_read_u16(mt_sample_table(bytes, "head", NULL) + 50);
+        assert_int_equal(is_long, data.glyph_count == count);
+        assert_int_equal(is_long, glyf > 0x1FFFE);
+        assert_int_equal(loca, (is_long ? 4 : 2) * (size_t)(data.glyph_count + 1));
+        mt_bytes_free(bytes);
+    }
+}
+
+static void nothing_drawn(void **state) {
+    (void)state;
+    size_t length, glyf;
+    mt_font_data data = mt_sample_font(&arena);
+    data.glyph_count = 1;
+    data.char_count = 0;
+    uint8_t *bytes = write_font(&data, &length);
+    assert_non_null(mt_sample_table(bytes, "glyf", &glyf));
+    assert_int_equal(glyf, 1);
+    assert_int_equal(mt_read_u16(mt_sample_table(bytes, "maxp", NULL) + 4), 1);
+    mt_bytes_free(bytes);
+}
+
+/* ---- metrics ----------------------------------------------------------------------------------------------
+ */
+
+static void trailing_advances_are_shared(void **state) {
+    (void)state;
+    size_t length, hmtx;
+    mt_font_data data = mt_sample_font(&arena);
+    data.glyphs[2].advance = data.glyphs[3].advance = data.glyphs[4].advance = 700;
+    uint8_t *bytes = write_font(&data, &length);
+    const uint8_t *metrics = mt_sample_table(bytes, "hmtx", &hmtx),
+                  *hhea = mt_sample_table(bytes, "hhea", NULL);
+    assert_int_equal(mt_read_u16(hhea + 34), 3);
+    assert_int_equal(hmtx, 4 * 3 + 2 * 2);
+    assert_int_equal(mt_read_u16(metrics + 8), 700);
+    assert_int_equal(read_i16(metrics + 10), -7); /* o's left side bearing */
+    assert_int_equal(mt_read_u16(hhea + 10), 700);
+    assert_int_equal(read_i16(hhea + 12), -7);
+    assert_int_equal(read_i16(hhea + 14), 0); /* é: 700 - 700 */
+    assert_int_equal(read_i16(hhea + 16), 700);
+    mt_bytes_free(bytes);
+}
+
+static void figures_are_kept_in_range(void **state) {
+    (void)state;
+    size_t length;
+    mt_font_data data = mt_sample_font(&arena);
+    data.metrics.typo_ascender = 1e9;
+    data.metrics.typo_descender = -1e300;
+    data.metrics.typo_line_gap = NAN;
+    data.metrics.win_ascent = -5;
+    data.metrics.win_descent = 99.5;
+    uint8_t *bytes = write_font(&data, &length);
+    const uint8_t *os2 = mt_sample_table(bytes, "OS/2", NULL);
+    assert_int_equal(read_i16(os2 + 68), INT16_MAX);
+    assert_int_equal(read_i16(os2 + 70), INT16_MIN);
+    assert_int_equal(read_i16(os2 + 72), 0);
+    assert_int_equal(mt_read_u16(os2 + 74), 0);
+    assert_int_equal(mt_read_u16(os2 + 76), 100);
+    mt_bytes_free(bytes);
+}
+
+static void coverage_is_told(void **state) {
+    (void)state;
+    size_t length;
+    mt_font_data data = mt_sample_font(&arena);
+    static const mt_char chars[] = {{'A', 1},    {0x416, 1},  {0x4E00, 1},
+                                    {0xAC00, 1}, {0xE000, 1}, {0x1F600, 4}};
+    data.chars = (mt_char *)chars;
+    data.char_count = 6;
+    uint8_t *bytes = write_font(&data, &length);
+    const uint8_t *os2 = mt_sample_table(bytes, "OS/2", NULL);
+    assert_int_equal(mt_read_u32(os2 + 42), 1u << 0 | 1u << 9);
+    assert_int_equal(mt_read_u32(os2 + 46),
+                     1u << (56 - 32) | 1u << (57 - 32) | 1u << (59 - 32) | 1u << (60 - 32));
+    assert_int_equal(mt_read_u32(os2 + 50) | mt_read_u32(os2 + 54), 0);
+    assert_int_equal(mt_read_u16(os2 + 64), 'A');
+    assert_int_equal(mt_read_u16(os2 + 66), 0xFFFF);
+    mt_bytes_free(bytes);
+}
+
+/* ---- characters -------------------------------------------------------------------------------------------
+ */
+
+/* `count` characters from `first`, `step` apart, all on glyph 1, then U+1F600. */
+static void map_many(mt_font_data *data, uint32_t first, uint32_t step, int count) {
+    data->chars = mt_arena_new(&arena, (size_t)count + 1, sizeof *data->chars);
+    assert_non_null(data->chars);
+    for (int i = 0; i < count; i++) data->chars[i] = (mt_char){first + step * (uint32_t)i, 1};
+    data->chars[count] = (mt_char){0x1F600, 4};
+    data->char_count = count + 1;
+}
+
+static void assert_maps(const mt_font_data *data) {
+    mt_font *font = reopen(data);
+    uint32_t from = 0, found;
+    for (int i = 0; i < data->char_count; i++, from = found + 1) {
+        assert_true(mt_font_next_char(font, from, &found));
+        assert_int_equal(found, data->chars[i].code_point);
+        assert_int_equal(mt_font_glyph(font, found), data->chars[i].glyph);
+    }
+    assert_false(mt_font_next_char(font, from, &found));
+    mt_font_close(font);
+}
+
+static unsigned count_encodings(const mt_font_data *data) {
+    size_t length;
+    uint8_t *bytes = write_font(data, &length);
+    unsigned count = mt_read_u16(mt_sample_table(bytes, "cmap", NULL) + 2);
+    mt_bytes_free(bytes);
+    return count;
+}
+
+static void characters_in_the_bmp(void **state) {
+    (void)state;
+    mt_font_data data = mt_sample_font(&arena);
+    data.char_count = 3;
+    assert_int_equal(count_encodings(&data), 2);
+    assert_maps(&data);
+    map_many(&data, 1, 3, 8188);
+    data.char_count = 8188; /* as many segments as format 4 holds */
+    assert_int_equal(count_encodings(&data), 2);
+    assert_maps(&data);
+}
+
+static void characters_beyond_format_4(void **state) {
+    (void)state;
+    mt_font_data data = mt_sample_font(&arena);
+    assert_int_equal(count_encodings(&data), 4);
+    assert_maps(&data);
+    map_many(&data, 1, 3, 8189);
+    data.char_count = 8189;
+    assert_int_equal(count_encodings(&data), 4);
+    assert_maps(&data);
+    map_many(&data, 0xE000, 1, 0x2000); /* up to U+FFFF */
+    data.char_count = 0x2000;
+    assert_int_equal(count_encodings(&data), 4);
+    assert_maps(&data);
+    map_many(&data, 0, 2, 25000);
+    assert_maps(&data);
+}
+
+/* ---- names ------------------------------------------------------------------------------------------------
+ */
+
+/* The name's text, each UTF-16 unit beyond ASCII as '?'; NULL when there is none. */
+static const char *find_name(const uint8_t *bytes, int id) {
+    static char text[256];
+    const uint8_t *name = mt_sample_table(bytes, "name", NULL);
+    for (unsigned i = 0; i < mt_read_u16(name + 2); i++) {
+        const uint8_t *record = name + 6 + 12 * i;
+        if ((int)mt_read_u16(record + 6) != id) continue;
+        const uint8_t *units = name + mt_read_u16(name + 4) + mt_read_u16(record + 10);
+        unsigned count = mt_read_u16(record + 8) / 2;
+        for (unsigned u = 0; u < count; u++) text[u] = units[2 * u] ? '?' : (char)units[2 * u + 1];
+        text[count] = '\0';
+        return text;
+    }
+    return NULL;
+}
+
+static void assert_style(const char *style, double weight, double angle, const char *linked, bool split) {
+    size_t length;
+    mt_font_data data = mt_sample_font(&arena);
+    data.family = "Fam";
+    data.style = style;
+    data.metrics.weight_class = weight;
+    data.metrics.italic_angle = angle;
+    data.metrics.use_typo_metrics = false;
+    uint8_t *bytes = write_font(&data, &length);
+    bool bold = strstr(linked, "Bold") != NULL, italic = strstr(linked, "Italic") != NULL;
+    assert_string_equal(find_name(bytes, 2), linked);
+    assert_int_equal(find_name(bytes, 17) != NULL, split);
+    assert_int_equal(find_name(bytes, 16) != NULL, split);
+    if (split) assert_string_equal(find_name(bytes, 17), style);
+    assert_int_equal(strcmp(find_name(bytes, 1), "Fam") == 0, !split);
+    assert_int_equal(mt_read_u16(mt_sample_table(bytes, "head", NULL) + 44),
+                     (bold ? 1 : 0) + (italic ? 2 : 0));
+    int selection = (bold ? 32 : 0) + (italic ? 1 : 0);
+    assert_int_equal(mt_read_u16(mt_sample_table(bytes, "OS/2", NULL) + 62), selection ? selection : 64);
+    mt_bytes_free(bytes);
+}
+
+static void styles_are_linked(void **state) {
+    (void)state;
+    assert_style("Regular", 400, 0, "Regular", false);
+    assert_style("Bold", 700, 0, "Bold", false);
+    assert_style("Italic", 400, -12, "Italic", false);
+    assert_style("Bold Italic", 700, -12, "Bold Italic", false);
+    assert_style("Half Way", 550, 0, "Regular", true);
+    assert_style("Half Way", 550, -4, "Italic", true);
+    assert_style("Black", 900, 0, "Bold", true);
+    assert_style("Regular", 900, -1, "Bold Italic", true);
+}
+
+static void assert_postscript(const char *family, const char *style, const char *name) {
+    size_t length;
+    mt_font_data data = mt_sample_font(&arena);
+    data.family = family;
+    data.style = style;
+    uint8_t *bytes = write_font(&data, &length);
+    assert_string_equal(find_name(bytes, 6), name);
+    mt_bytes_free(bytes);
+}
+
+static void postscript_names(void **state) {
+    (void)state;
+    assert_postscript("My Font", "Semi Bold", "MyFont-SemiBold");
+    assert_postscript("A-B (c) [d] {e} <f> g/h%", "1/2", "ABcdefgh-12");
+    assert_postscript("文泉 𝔘", "粗", "u6587u6CC9u1D518-u7C97");
+    assert_postscript("1234567890123456789012345678901234567890",
+                      "abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyz",
+                      "1234567890123456789012345678901-abcdefghijklmnopqrstuvwxyzabcde");
+    assert_postscript("123456789012345678901234567890123456789012345678901234567890形", "xx",
+                      "123456789012345678901234567890123456789012345678901234567890-xx");
+}
+
+static void names_that_are_missing(void **state) {
+    (void)state;
+    size_t length;
+    mt_font_data data = mt_sample_font(&arena);
+    data.version = data.copyright = data.license = data.license_url = data.description = NULL;
+    uint8_t *bytes = write_font(&data, &length);
+    static const int absent[] = {0, 5, 10, 13, 14};
+    for (int i = 0; i < 5; i++) assert_null(find_name(bytes, absent[i]));
+    assert_string_equal(find_name(bytes, 3), "sample;1");
+    assert_int_equal(mt_read_u32(mt_sample_table(bytes, "head", NULL) + 4), 0x00010000);
+    mt_bytes_free(bytes);
+}
+
+/* ---- what is refused --------------------------------------------------------------------------------------
+ */
+
+static void assert_refused(const mt_font_data *data, mt_status status) {
+    uint8_t *bytes = NULL;
+    size_t length = 77;
+    assert_int_equal(mt_font_write(data, &bytes, &length), status);
+    assert_null(bytes);
+    assert_int_equal(length, 77);
+}
+
+static void bad_numbers(void **state) {
+    (void)state;
+    static const int units[] = {15, 16385, 0, -1};
+    for (int i = 0; i < 4; i++) {
+        mt_font_data data = mt_sample_font(&arena);
+        data.units = units[i];
+        assert_refused(&data, MT_BAD_PARAMETER);
+    }
+    mt_font_data data = mt_sample_font(&arena);
+    data.glyph_count = 0;
+    assert_refused(&data, MT_BAD_PARAMETER);
+    data.glyph_count = MT_GLYPHS_MAX + 1;
+    assert_refused(&data, MT_TOO_LARGE);
+}
+
+static void bad_contours(void **state) {
+    (void)state;
+    mt_font_data data = mt_sample_font(&arena);
+    data.glyphs[3].ends[1] = 3; /* an empty contour */
+    assert_refused(&data, MT_BAD_PARAMETER);
+    data.glyphs[3].ends[0] = -1;
+    assert_refused(&data, MT_BAD_PARAMETER);
+    data.glyphs[3].ends[0] = INT_MAX;
+    assert_refused(&data, MT_TOO_LARGE);
+    data.glyphs[3].contour_count = MT_GLYF_CONTOURS_MAX + 1;
+    assert_refused(&data, MT_TOO_LARGE);
+    data.glyphs[3].contour_count = -1;
+    assert_refused(&data, MT_BAD_PARAMETER);
+    data.glyphs[3].contour_count = 0;
+    data.glyphs[1].points[0].x = -20000;
+    data.glyphs[1].points[1].x = 20000; /* 40 000 apart */
+    assert_refused(&data, MT_TOO_LARGE);
+}
+
+static void bad_characters(void **state) {
+    (void)state;
+    static const mt_char bad[] = {{'B', 1}, {'A', 1}, {0xD800, 1}, {0xDFFF, 1}, {0x110000, 1}, {'C', 5}};
+    for (int i = 0; i < 6; i++) {
+        mt_font_data data = mt_sample_font(&arena);
+        data.chars[0] = (mt_char){'B', 1};
+        data.chars[1] = bad[i];
+        data.char_count = 2;
+        assert_refused(&data, MT_BAD_PARAMETER);
+    }
+}
+
+static void bad_names(void **state) {
+    (void)state;
+    static const char *const texts[] = {"",          "\xFF",         "\xC0\x80",
+                                        "a\xE5\xBD", "\xED\xA0\x80", "\xF4\x90\x80\x80"};
+    for (int i = 0; i < 6; i++) {
+        mt_font_data data = mt_sample_font(&arena);
+        data.style = texts[i];
+        assert_refused(&data, MT_BAD_PARAMETER);
+    }
+    mt_font_data data = mt_sample_font(&arena);
+    data.family = NULL;
+    assert_refused(&data, MT_BAD_PARAMETER);
+    data = mt_sample_font(&arena);
+    char *text = mt_arena_new(&arena, 40001, 1);
+    assert_non_null(text);
+    memset(text, 'x', 40000);
+    data.license = text;
+    assert_refused(&data, MT_TOO_LARGE);
+    text[31000] = '\0';
+    size_t length;
+    mt_bytes_free(write_font(&data, &length));
+}
+
+/* ---- memory -----------------------------------------------------------------------------------------------
+ */
+
+static void tables_stay_failed(void **state) {
+    (void)state;
+    mt_table table = {0};
+    mt_table_16(&table, 0x1234);
+    mt_allocation_watch();
+    mt_allocation_fail(0, true);
+    mt_table_zeros(&table, 1000);
+    mt_allocation_unwatch();
+    size_t length = table.length;
+    mt_table_16(&table, 1);
+    assert_true(table.failed && table.length == length && length >= 2);
+    assert_int_equal(mt_read_u16(table.bytes), 0x1234);
+    mt_table_free(&table);
+}
+
+static void every_allocation_may_fail(void **state) {
+    (void)state;
+    mt_font_data data = mt_sample_font(&arena);
+    long failed = 0;
+    for (mt_status status = MT_NO_MEMORY; status != MT_OK; failed++) {
+        uint8_t *bytes = NULL;
+        size_t length;
+        mt_allocation_watch();
+        mt_allocation_fail(failed, false);
+        status = mt_font_write(&data, &bytes, &length);
+        assert_int_equal(status, bytes ? MT_OK : MT_NO_MEMORY);
+        mt_bytes_free(bytes);
+        long live = mt_allocation_live();
+        mt_allocation_unwatch();
+        assert_int_equal(live, 0);
+    }
+    assert_true(failed > 10); /* each of the tables asked for some */
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(checksums_are_right),
+        cmocka_unit_test(same_input_same_bytes),
+        cmocka_unit_test(outlines_read_back),
+        cmocka_unit_test(offsets_grow_long),
+        cmocka_unit_test(nothing_drawn),
+        cmocka_unit_test(trailing_advances_are_shared),
+        cmocka_unit_test(figures_are_kept_in_range),
+        cmocka_unit_test(coverage_is_told),
+        cmocka_unit_test(characters_in_the_bmp),
+        cmocka_unit_test(characters_beyond_format_4),
+        cmocka_unit_test(styles_are_linked),
+        cmocka_unit_test(postscript_names),
+        cmocka_unit_test(names_that_are_missing),
+        cmocka_unit_test(bad_numbers),
+        cmocka_unit_test(bad_contours),
+        cmocka_unit_test(bad_characters),
+        cmocka_unit_test(bad_names),
+        cmocka_unit_test(tables_stay_failed),
+        cmocka_unit_test(every_allocation_may_fail),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
