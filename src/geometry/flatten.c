@@ -86,10 +86,13 @@ static bool is_line(const mt_curve *curve) {
     return true;
 }
 
-/* Two lines always meet in a corner; where a curve takes part the join is smooth up to MT_SMOOTH_JOIN. */
+/* Two lines always meet in a corner; where a curve takes part, see MT_SMOOTH_JOIN. */
 static uint8_t join_marks(const mt_curve *in, const mt_curve *out) {
-    double angle = fabs(turn(direction(in, -1), direction(out, 1))) * (180 / M_PI);
-    bool smooth = !(is_line(in) && is_line(out)) && angle <= MT_SMOOTH_JOIN;
+    mt_vector before = direction(in, -1), after = direction(out, 1);
+    double angle = fabs(turn(before, after)) * (180 / M_PI);
+    double by_rounding = MT_SMOOTH_ROUNDING / hypot(before.x, before.y) + MT_SMOOTH_ROUNDING / hypot(after.x, after.y);
+    double allowed = fmin(MT_SMOOTH_JOIN + by_rounding * (180 / M_PI), MT_SMOOTH_JOIN_MOST);
+    bool smooth = !(is_line(in) && is_line(out)) && angle <= allowed;
     return (uint8_t)((is_line(out) ? MT_LINE : MT_CHORD) | (smooth ? 0 : MT_CORNER));
 }
 

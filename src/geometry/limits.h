@@ -37,10 +37,12 @@ static inline double mt_grid_units(double thousandths) {
  * stays distinct from a corner (geometry/fit.c) however loose the tolerance. */
 #define MT_CHORD_TURN 20.0
 
-/* Where a curve meets a line or a curve and the direction changes by no more than so many degrees, the
- * drawing is smooth: control points on whole font units put the two tangents of a small curve that far apart.
- */
-#define MT_SMOOTH_JOIN 8.0
+/* Where a curve meets a line or a curve, the drawing is smooth if the direction changes by no more than so many degrees, plus
+ * what a control point moved by so many grid units (1/1000 em) makes of it: sources round theirs to whole font units. Never by
+ * more than the last figure, however small the curve. */
+#define MT_SMOOTH_JOIN 2.0
+#define MT_SMOOTH_ROUNDING 256.0
+#define MT_SMOOTH_JOIN_MOST 10.0
 
 /* What a drawing's smooth vertices, and those of a union's crossings, may turn by and still be taken for a
  * part of a curve, degrees. A smooth vertex turns by up to MT_CHORD_TURN in each of the two drawings; a

@@ -33,18 +33,19 @@ static bool is_corner(const mt_trace *t, int i) {
     return degrees > (t->ring.marks[i] & MT_CROSSING ? MT_CROSSING_TURN : MT_SMOOTH_TURN);
 }
 
-static bool is_line(const mt_trace *t, int i, double chord) {
+static bool is_line(const mt_trace *t, int i) {
     int j = mt_trace_after(t, i);
     if (t->corner[i] && t->corner[j]) return true;
     if (t->ring.marks[i] & MT_EDGE_MARKS) return t->ring.marks[i] & MT_LINE;
     double at_start = t->corner[i] ? t->turn[j] : t->turn[i];
     double at_end = t->corner[j] ? t->turn[i] : t->turn[j];
-    return t->length[i] * (fabs(at_start) + fabs(at_end)) / 16 > 2 * chord;
+    return t->length[i] * (fabs(at_start) + fabs(at_end)) / 16 > 2 * t->chord;
 }
 
 mt_status mt_trace_ring(const mt_ring *ring, double chord, mt_arena *arena, mt_trace *t) {
     size_t n = (size_t)ring->count;
     mt_trace made = {.ring = *ring,
+                     .chord = chord,
                      .length = mt_arena_new(arena, n, sizeof(double)),
                      .heading = mt_arena_new(arena, n, sizeof(double)),
                      .turn = mt_arena_new(arena, n, sizeof(double)),
@@ -53,7 +54,7 @@ mt_status mt_trace_ring(const mt_ring *ring, double chord, mt_arena *arena, mt_t
     if (!made.length || !made.heading || !made.turn || !made.corner || !made.line) return MT_NO_MEMORY;
     measure(&made);
     for (int i = 0; i < ring->count; i++) made.corner[i] = is_corner(&made, i);
-    for (int i = 0; i < ring->count; i++) made.line[i] = is_line(&made, i, chord);
+    for (int i = 0; i < ring->count; i++) made.line[i] = is_line(&made, i);
     *t = made;
     return MT_OK;
 }
@@ -72,32 +73,43 @@ bool mt_trace_extremum(const mt_trace *t, int i) {
 
 /* ---- headings ------------------------------------------------------------------------------------------ */
 
-/* At a smooth vertex: that of the chord between its neighbours, which is exact where the vertices are evenly
- * spaced in a quadratic's parameter, as flattening spaces them; so the turn is shared out against the lengths
- * of the two edges. A line's end heads along the line. */
-static double smooth_heading(const mt_trace *t, int i) {
-    int h = mt_trace_before(t, i);
-    if (t->line[h]) return t->heading[h];
-    if (t->line[i]) return t->heading[i];
-    return t->heading[h] + t->turn[i] * t->length[i] / (t->length[h] + t->length[i]);
+/* How far a curve's heading may leave its chord, at either end: a chord of length l whose curve heads away by δ bulges by
+ * l·δ/4, which flattening keeps under its tolerance; a quarter more for what is not quite so even. A line's not at all. */
+static double leeway(const mt_trace *t, int edge) {
+    return t->line[edge] ? 0 : 5 * t->chord / t->length[edge];
 }
 
-/* At a corner, along chord `edge` whose other end is `vertex`, followed by `next_edge`: the chord's own
- * heading, turned away by as much as at its other end. `sign` is 1 when the chord leaves the corner and -1
- * when it arrives. */
-static double corner_heading(const mt_trace *t, int edge, int vertex, int next_edge, double sign) {
+/* At a smooth vertex: that of the chord between its neighbours, which is exact where the vertices are evenly spaced in a
+ * quadratic's parameter, as flattening spaces them; so the turn is shared out against the lengths of the two edges, as far
+ * as their leeways allow. Where they do not, the drawing has a slight corner here. */
+static double smooth_heading(const mt_trace *t, int i) {
+    int h = mt_trace_before(t, i);
+    double turn = fabs(t->turn[i]), before = leeway(t, h), after = leeway(t, i), share;
+    if (before + after <= turn) share = before + after > 0 ? turn * before / (before + after) : 0;
+    else share = fmin(before, fmax(turn - after, turn * t->length[i] / (t->length[h] + t->length[i])));
+    return t->heading[h] + copysign(share, t->turn[i]);
+}
+
+/* At a corner, along chord `edge` whose other end is `vertex`: the chord's own heading, turned away by as much as at its
+ * other end. */
+static double corner_heading(const mt_trace *t, int edge, int vertex) {
     if (t->line[edge] || t->corner[vertex]) return t->heading[edge];
-    if (t->line[next_edge]) return t->heading[edge] - sign * t->turn[vertex];
-    double share = t->length[next_edge] / (t->length[edge] + t->length[next_edge]);
-    return t->heading[edge] - sign * t->turn[vertex] * share;
+    double there = remainder(smooth_heading(t, vertex) - t->heading[edge], 2 * M_PI);
+    return t->heading[edge] - there;
+}
+
+/* A heading at an end of an edge, kept within the edge's leeway. */
+static double along_edge(const mt_trace *t, int edge, double heading) {
+    double off = remainder(heading - t->heading[edge], 2 * M_PI), most = leeway(t, edge);
+    return t->heading[edge] + fmin(most, fmax(-most, off));
 }
 
 double mt_trace_out(const mt_trace *t, int i) {
     int j = mt_trace_after(t, i);
-    return t->corner[i] ? corner_heading(t, i, j, j, 1) : smooth_heading(t, i);
+    return along_edge(t, i, t->corner[i] ? corner_heading(t, i, j) : smooth_heading(t, i));
 }
 
 double mt_trace_in(const mt_trace *t, int i) {
     int h = mt_trace_before(t, i);
-    return t->corner[i] ? corner_heading(t, h, h, mt_trace_before(t, h), -1) : smooth_heading(t, i);
+    return along_edge(t, h, t->corner[i] ? corner_heading(t, h, h) : smooth_heading(t, i));
 }

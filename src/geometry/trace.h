@@ -12,6 +12,7 @@ typedef struct mt_trace {
     double *turn;    /* at vertex i, radians, left is positive */
     bool *corner;    /* vertex i */
     bool *line;      /* edge i */
+    double chord;    /* what the curves were flattened with, grid units */
 } mt_trace;
 
 /* Reads a ring of three points or more whose curves were flattened within `chord` grid units. Corners are
@@ -30,8 +31,8 @@ bool mt_trace_breaks(const mt_trace *trace, int i);
 /* Whether the drawing is smooth at vertex i and turns back there in x or in y. */
 bool mt_trace_extremum(const mt_trace *trace, int i);
 
-/* Where the drawing heads as it leaves vertex i, and as it arrives there; the same at a smooth vertex.
- * Radians. */
+/* Where the drawing heads as it leaves vertex i, and as it arrives there, radians: the same at a smooth vertex, but for what no
+ * curve between these chords can have turned. */
 double mt_trace_out(const mt_trace *trace, int i);
 double mt_trace_in(const mt_trace *trace, int i);
 

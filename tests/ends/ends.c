@@ -1,4 +1,4 @@
-/* Holds a blend's ends against the sources: `ends A B at FIRST-LAST[:STEP] …` blends A with B at 0 or 1, reads the font back and
+/* Holds a blend's ends against the sources: `ends A B at FIRST-LAST|FILE:COUNT …` blends A with B at 0 or 1, reads the font back and
  * measures, over the characters of the ranges, how far its outlines are from the source's own (both ways, at points no more
  * than 1/1000 em apart, to the nearest segment). Prints the mean and the largest distance in 1/1000 em; fails over 0.25 and 1,
  * the promise of docs/guide.md. With `same` for B, A is blended with itself at the place given. */
@@ -67,6 +67,16 @@ static void compare(const mt_rings *from, const mt_rings *to, mt_distances *sum)
         }
 }
 
+/* Some sources have stray contours of no width to speak of; a blend leaves them out (MT_SEAM_WIDTH). */
+static void drop_strays(mt_rings *rings) {
+    int kept = 0;
+    for (int i = 0; i < rings->count; i++) {
+        double area2 = fabs((double)mt_ring_area2(&rings->rings[i]));
+        if (area2 >= MT_SEAM_WIDTH * mt_ring_length(&rings->rings[i])) rings->rings[kept++] = rings->rings[i];
+    }
+    rings->count = kept;
+}
+
 static void compare_glyph(mt_font *source, mt_font *blend, uint32_t c, mt_arena *arena, mt_distances *sum) {
     mt_shape s, b;
     mt_rings rs, rb;
@@ -75,7 +85,9 @@ static void compare_glyph(mt_font *source, mt_font *blend, uint32_t c, mt_arena 
     if (mt_glyph_shape(source, mt_font_glyph(source, c), FINE, arena, &s, &advance) != MT_OK) return;
     if (mt_glyph_shape(blend, mt_font_glyph(blend, c), FINE, arena, &b, &advance) != MT_OK) return;
     if (mt_shape_rings(&s, arena, &rs) != MT_OK || mt_shape_rings(&b, arena, &rb) != MT_OK) return;
-    if ((s.count == 0) != (b.count == 0)) {
+    drop_strays(&rs);
+    drop_strays(&rb);
+    if ((rs.count == 0) != (rb.count == 0)) {
         printf("U+%04X: ink on one side only\n", c);
         sum->largest = INFINITY;
         return;
@@ -99,13 +111,39 @@ static void say_failure(uint32_t c, mt_status why, void *user) {
 
 enum { CHARS_MAX = 100000 };
 
-/* The code points of ranges FIRST-LAST[:STEP], hexadecimal but for the step; -1 when one is malformed. */
-static int read_ranges(int count, char **ranges, uint32_t *chars) {
+/* The first `most` characters from U+0080 on of a UTF-8 file, lines that start with # left out; -1 when it cannot be read. */
+static int read_file(const char *path, int most, uint32_t *chars) {
+    char line[4096];
+    int made = 0;
+    FILE *file = fopen(path, "r");
+    if (!file) return -1;
+    while (fgets(line, sizeof line, file)) {
+        if (line[0] == '#') continue;
+        for (const unsigned char *p = (const unsigned char *)line; *p && made < most; p++) {
+            if (*p >= 0xE0) chars[made++] = *p & 0x0F;
+            else if (*p >= 0xC0) chars[made++] = *p & 0x1F;
+            else if (*p >= 0x80) chars[made - 1] = chars[made - 1] << 6 | (*p & 0x3F);
+        }
+    }
+    fclose(file);
+    return made;
+}
+
+/* The code points of ranges FIRST-LAST, hexadecimal, and of files FILE:COUNT; -1 when one is malformed. */
+static int read_chars(int count, char **arguments, uint32_t *chars) {
     int made = 0;
     for (int i = 0; i < count; i++) {
-        unsigned first, last, step = 1;
-        if (sscanf(ranges[i], "%x-%x:%u", &first, &last, &step) < 2 || step == 0) return -1;
-        for (unsigned c = first; c <= last && made < CHARS_MAX; c += step) chars[made++] = c;
+        unsigned first, last;
+        char *colon = strrchr(arguments[i], ':');
+        if (colon) {
+            *colon = '\0';
+            int most = atoi(colon + 1), read = most < CHARS_MAX - made ? read_file(arguments[i], most, chars + made) : -1;
+            if (read < 0) return -1;
+            made += read;
+            continue;
+        }
+        if (sscanf(arguments[i], "%x-%x", &first, &last) != 2) return -1;
+        for (unsigned c = first; c <= last && made < CHARS_MAX; c++) chars[made++] = c;
     }
     return made;
 }
@@ -135,7 +173,7 @@ int main(int argc, char **argv) {
     if (argc < 5) return 2;
     double t = atof(argv[3]);
     const char *second = strcmp(argv[2], "same") == 0 ? argv[1] : argv[2];
-    int count = read_ranges(argc - 4, argv + 4, chars);
+    int count = read_chars(argc - 4, argv + 4, chars);
     if (count < 0 || mt_font_open(argv[1], &a) != MT_OK || mt_font_open(second, &b) != MT_OK) return 2;
     mt_status status = blend_and_read(a, b, t, chars, count, &made);
     if (status != MT_OK) {
