@@ -90,7 +90,8 @@ static bool is_line(const mt_curve *curve) {
 static uint8_t join_marks(const mt_curve *in, const mt_curve *out) {
     mt_vector before = direction(in, -1), after = direction(out, 1);
     double angle = fabs(turn(before, after)) * (180 / M_PI);
-    double by_rounding = MT_SMOOTH_ROUNDING / hypot(before.x, before.y) + MT_SMOOTH_ROUNDING / hypot(after.x, after.y);
+    double by_rounding =
+        MT_SMOOTH_ROUNDING / hypot(before.x, before.y) + MT_SMOOTH_ROUNDING / hypot(after.x, after.y);
     double allowed = fmin(MT_SMOOTH_JOIN + by_rounding * (180 / M_PI), MT_SMOOTH_JOIN_MOST);
     bool smooth = !(is_line(in) && is_line(out)) && angle <= allowed;
     return (uint8_t)((is_line(out) ? MT_LINE : MT_CHORD) | (smooth ? 0 : MT_CORNER));

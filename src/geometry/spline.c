@@ -18,7 +18,7 @@
 #define STRAIGHT_SHARE 0.1 /* of the tolerance: under it, a stretch is a line */
 #define KINK_TURN 6.0      /* degrees by which two masters may head apart at a shared node … */
 #define KINK_SHARE 0.25    /* … for this much of a segment's price; more with the square of the angle */
-#define GIVE_UP 4.0  /* tolerances: past this error, longer segments from the same start are not tried */
+#define GIVE_UP 4.0 /* tolerances: past this error, longer segments from the same start are not tried */
 
 typedef struct mt_vec {
     double x, y;
@@ -220,7 +220,8 @@ mt_status mt_spline(const mt_sample *const *masters, int master_count, int count
     if (!best) return MT_NO_MEMORY;
     for (int j = 1; j < count; j++) best[j].cost = INFINITY;
     mt_joint_arc whole = joint_arc(&problem, 0, count - 1);
-    if (whole.line && whole.error <= tolerance) best[count - 1] = (mt_step){1, 0, whole}; /* nothing beats one line */
+    if (whole.line && whole.error <= tolerance)
+        best[count - 1] = (mt_step){1, 0, whole}; /* nothing beats one line */
     else
         for (int i = 0; i + 1 < count; i++) try_from(&problem, i, best);
     assert(best[count - 1].cost < INFINITY); /* neighbours are always joined */

@@ -85,8 +85,10 @@ static double leeway(const mt_trace *t, int edge) {
 static double smooth_heading(const mt_trace *t, int i) {
     int h = mt_trace_before(t, i);
     double turn = fabs(t->turn[i]), before = leeway(t, h), after = leeway(t, i), share;
-    if (before + after <= turn) share = before + after > 0 ? turn * before / (before + after) : 0;
-    else share = fmin(before, fmax(turn - after, turn * t->length[i] / (t->length[h] + t->length[i])));
+    if (before + after <= turn)
+        share = before + after > 0 ? turn * before / (before + after) : 0;
+    else
+        share = fmin(before, fmax(turn - after, turn * t->length[i] / (t->length[h] + t->length[i])));
     return t->heading[h] + copysign(share, t->turn[i]);
 }
 

@@ -466,7 +466,8 @@ static mt_status gather(const mt_component *component, mt_work *w, mt_mesh *mesh
         const mt_ring *ring = &component->rings[i];
         for (int k = 0; k < ring->count; k++, v++) {
             mt_point p = ring->points[k];
-            bool fits = p.x >= -MT_COORD_MAX && p.x <= MT_COORD_MAX && p.y >= -MT_COORD_MAX && p.y <= MT_COORD_MAX;
+            bool fits =
+                p.x >= -MT_COORD_MAX && p.x <= MT_COORD_MAX && p.y >= -MT_COORD_MAX && p.y <= MT_COORD_MAX;
             if (!fits) return MT_TOO_LARGE;
             w->points[v] = p;
             w->marks[v] = ring->marks[k];

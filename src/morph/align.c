@@ -191,15 +191,16 @@ static mt_status start_grid(const mt_views *a, const mt_views *b, mt_arena *aren
     return MT_OK;
 }
 
-mt_status mt_align(const mt_stops *stops_a, mt_box box_a, const mt_stops *stops_b, mt_box box_b, mt_arena *arena,
-                   mt_alignment *alignment) {
+mt_status mt_align(const mt_stops *stops_a, mt_box box_a, const mt_stops *stops_b, mt_box box_b,
+                   mt_arena *arena, mt_alignment *alignment) {
     mt_views a, b;
     mt_grid grid;
     mt_status status = views_of(stops_a, box_a, arena, &a);
     if (status == MT_OK) status = views_of(stops_b, box_b, arena, &b);
     if (status == MT_OK) status = start_grid(&a, &b, arena, &grid);
     if (status != MT_OK) return status;
-    mt_alignment made = {0, mt_arena_new(arena, (size_t)a.count + (size_t)b.count, sizeof(mt_link)), INFINITY};
+    mt_alignment made = {0, mt_arena_new(arena, (size_t)a.count + (size_t)b.count, sizeof(mt_link)),
+                         INFINITY};
     if (!made.steps) return MT_NO_MEMORY;
     int partners[STARTS];
     best_partners(&grid, grid.start_a, partners);

@@ -40,9 +40,11 @@ static double to_ink(mt_spot p, const mt_component *component) {
         const mt_ring *ring = &component->rings[i];
         for (int k = 0; k < ring->count; k++) {
             mt_point u = ring->points[k], v = ring->points[(k + 1) % ring->count];
-            mt_spot a = {u.x * 1000.0 / MT_EM, u.y * 1000.0 / MT_EM}, b = {v.x * 1000.0 / MT_EM, v.y * 1000.0 / MT_EM};
+            mt_spot a = {u.x * 1000.0 / MT_EM, u.y * 1000.0 / MT_EM},
+                    b = {v.x * 1000.0 / MT_EM, v.y * 1000.0 / MT_EM};
             least = fmin(least, to_segment(p, a, b));
-            if ((a.y <= p.y) != (b.y <= p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+            if ((a.y <= p.y) != (b.y <= p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+                inside = !inside;
         }
     }
     return inside ? 0 : least;
@@ -54,7 +56,8 @@ static double side_of(int32_t low, int32_t high) {
 
 /* A place of one glyph at the same place in another's box, 1/1000 em. */
 static mt_spot moved(double x, double y, mt_box from, mt_box to) {
-    double s = (x - from.min.x) / side_of(from.min.x, from.max.x), t = (y - from.min.y) / side_of(from.min.y, from.max.y);
+    double s = (x - from.min.x) / side_of(from.min.x, from.max.x),
+           t = (y - from.min.y) / side_of(from.min.y, from.max.y);
     return (mt_spot){(to.min.x + s * side_of(to.min.x, to.max.x)) * 1000 / MT_EM,
                      (to.min.y + t * side_of(to.min.y, to.max.y)) * 1000 / MT_EM};
 }
@@ -63,7 +66,8 @@ static mt_point corner(const mt_mesh *mesh, int e) {
     return mesh->points[mesh->start[e]];
 }
 
-static void price_triangle(mt_division *d, int t, const mt_side *from, const mt_side *to, const int *partners) {
+static void price_triangle(mt_division *d, int t, const mt_side *from, const mt_side *to,
+                           const int *partners) {
     mt_point a = corner(&d->mesh, 3 * t), b = corner(&d->mesh, 3 * t + 1), c = corner(&d->mesh, 3 * t + 2);
     double area = (double)mt_orient(a, b, c) / 2 * (1000.0 / MT_EM) * (1000.0 / MT_EM);
     mt_spot centre = moved(((double)a.x + b.x + c.x) / 3, ((double)a.y + b.y + c.y) / 3, from->box, to->box);
@@ -177,7 +181,8 @@ static mt_status settle_islands(mt_division *d, mt_arena *arena) {
     double *main_area = mt_arena_new(arena, (size_t)d->count, sizeof *main_area);
     if (!main_island || !main_area) return MT_NO_MEMORY;
     find_islands(d, main_island, main_area);
-    while (absorb_strays(d, main_island)) {}
+    while (absorb_strays(d, main_island)) {
+    }
     return MT_OK;
 }
 
@@ -217,8 +222,8 @@ static mt_status start_division(const mt_component *component, int count, mt_are
     return d->price && d->label && d->island && d->stack ? MT_OK : MT_NO_MEMORY;
 }
 
-mt_status mt_divide(const mt_side *from, int k, const mt_side *to, const int *partners, int count, mt_arena *arena,
-                    mt_component *shares, bool *divided) {
+mt_status mt_divide(const mt_side *from, int k, const mt_side *to, const int *partners, int count,
+                    mt_arena *arena, mt_component *shares, bool *divided) {
     mt_division d;
     mt_status status = start_division(&from->shape.components[k], count, arena, &d);
     if (status != MT_OK) return status;

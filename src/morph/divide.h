@@ -8,7 +8,7 @@
  * the partner whose ink lies nearest to it, both relative to their glyph's box, with a price on the length of the cuts.
  * Writes a share for each partner, and sets *divided; clears it when some partner would get nothing, or a share in
  * several pieces. The shares' areas add up to the component's. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
-mt_status mt_divide(const mt_side *from, int k, const mt_side *to, const int *partners, int count, mt_arena *arena,
-                    mt_component *shares, bool *divided);
+mt_status mt_divide(const mt_side *from, int k, const mt_side *to, const int *partners, int count,
+                    mt_arena *arena, mt_component *shares, bool *divided);
 
 #endif

@@ -61,7 +61,8 @@ static double apart(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box
 
 /* A point in the ink of a part: the barycentre of the piece that lies nearest to the hole's own place. A piece is convex,
  * so its barycentre is inside it. */
-static mt_status point_inside(const mt_joining *j, const mt_ring *hole, mt_box box, mt_part to, mt_point *found) {
+static mt_status point_inside(const mt_joining *j, const mt_ring *hole, mt_box box, mt_part to,
+                              mt_point *found) {
     mt_pieces pieces;
     mt_status status = mt_decompose(to.component, j->arena, &pieces);
     if (status != MT_OK) return status;
@@ -126,8 +127,10 @@ static mt_status join_holes(const mt_joining *j, mt_masters *contours, int *coun
     mt_status status = pair_holes(j, partner, taken);
     for (int p = 1; status == MT_OK && p < in_a->count; p++) {
         mt_masters *to = &contours[*count];
-        if (partner[p]) status = join_rings(j, &in_a->rings[p], &in_b->rings[partner[p]], to);
-        else status = close_hole(j, &in_a->rings[p], true, to);
+        if (partner[p])
+            status = join_rings(j, &in_a->rings[p], &in_b->rings[partner[p]], to);
+        else
+            status = close_hole(j, &in_a->rings[p], true, to);
         *count += to->a.count > 0;
     }
     for (int q = 1; status == MT_OK && q < in_b->count; q++) {
@@ -150,7 +153,8 @@ static mt_status is_clean(const mt_joining *j, const mt_masters *contours, int c
     return mt_outline_resolve(&outline, mt_grid_units(j->params->tolerance), j->arena, &shape, clean);
 }
 
-mt_status mt_join(mt_part a, mt_part b, const mt_params *params, mt_arena *arena, mt_masters *contours, int *made) {
+mt_status mt_join(mt_part a, mt_part b, const mt_params *params, mt_arena *arena, mt_masters *contours,
+                  int *made) {
     mt_joining j = {a, b, params, arena};
     bool clean = false;
     int count = 1;

@@ -13,6 +13,7 @@ typedef struct mt_part {
 /* Aligns the outer rings of the two parts and those holes that have a counterpart; a hole without one closes to a point
  * inside the other part's ink. Writes at most as many contours as both have rings, and their number to *made; none when
  * the half-way contours would run into themselves or each other. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
-mt_status mt_join(mt_part a, mt_part b, const mt_params *params, mt_arena *arena, mt_masters *contours, int *made);
+mt_status mt_join(mt_part a, mt_part b, const mt_params *params, mt_arena *arena, mt_masters *contours,
+                  int *made);
 
 #endif

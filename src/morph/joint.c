@@ -56,15 +56,18 @@ static mt_status share_out(mt_loom *loom, int k, bool in_a) {
         strands[count++] = i;
     }
     if (count < 2) return MT_OK;
-    const mt_side *from = in_a ? &loom->morph->a : &loom->morph->b, *to = in_a ? &loom->morph->b : &loom->morph->a;
+    const mt_side *from = in_a ? &loom->morph->a : &loom->morph->b,
+                  *to = in_a ? &loom->morph->b : &loom->morph->a;
     bool divided;
     mt_status status = mt_divide(from, k, to, partners, count, loom->arena, shares, &divided);
     if (status != MT_OK) return status;
     if (!divided) loom->failed[loom->strands[strands[0]].group] = true;
     for (int i = 0; i < count && divided; i++) {
         mt_strand *strand = &loom->strands[strands[i]];
-        if (in_a) strand->in_a = shares[i];
-        else strand->in_b = shares[i];
+        if (in_a)
+            strand->in_a = shares[i];
+        else
+            strand->in_b = shares[i];
     }
     return MT_OK;
 }
@@ -82,7 +85,8 @@ static mt_status start_loom(mt_loom *loom, const mt_links *matches) {
     name_groups(loom);
     mt_status status = MT_OK;
     for (int k = 0; status == MT_OK && k < loom->morph->a.shape.count; k++) status = share_out(loom, k, true);
-    for (int l = 0; status == MT_OK && l < loom->morph->b.shape.count; l++) status = share_out(loom, l, false);
+    for (int l = 0; status == MT_OK && l < loom->morph->b.shape.count; l++)
+        status = share_out(loom, l, false);
     return status;
 }
 
@@ -97,7 +101,8 @@ static mt_status join_group(mt_loom *loom, int group) {
         if (strand->group != group) continue;
         mt_part a = {&strand->in_a, morph->a.box}, b = {&strand->in_b, morph->b.box};
         int made = 0;
-        mt_status status = mt_join(a, b, loom->params, loom->arena, morph->contours + morph->contour_count, &made);
+        mt_status status =
+            mt_join(a, b, loom->params, loom->arena, morph->contours + morph->contour_count, &made);
         if (status != MT_OK) return status;
         morph->contour_count += made;
         loom->failed[group] = made == 0;

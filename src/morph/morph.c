@@ -183,8 +183,8 @@ static void turn_outline_back(const mt_morph *morph, mt_weights weights, mt_outl
 }
 
 /* Between the ends: as they come where that is clean, else the union of all, fitted. */
-static mt_status outline_between(const mt_morph *morph, mt_weights weights, const mt_params *params, mt_arena *arena,
-                                 mt_outline *outline) {
+static mt_status outline_between(const mt_morph *morph, mt_weights weights, const mt_params *params,
+                                 mt_arena *arena, mt_outline *outline) {
     mt_shape shape;
     bool clean;
     mt_status status = both_kinds(morph, weights, params, arena, outline);
@@ -193,14 +193,17 @@ static mt_status outline_between(const mt_morph *morph, mt_weights weights, cons
     return status == MT_OK && !clean ? fit_shape(&shape, params, arena, outline) : status;
 }
 
-mt_status mt_morph_outline(const mt_morph *morph, mt_weights weights, const mt_params *params, mt_arena *arena,
-                           mt_outline *outline) {
+mt_status mt_morph_outline(const mt_morph *morph, mt_weights weights, const mt_params *params,
+                           mt_arena *arena, mt_outline *outline) {
     mt_outline made;
     mt_status status;
     /* Theorem 1: at its ends the blend is A, and B, with the cuts closed along which a component was divided. */
-    if (weights.b == 0) status = fit_shape(&morph->a.shape, params, arena, &made);
-    else if (weights.a == 0) status = fit_shape(&morph->b.shape, params, arena, &made);
-    else status = outline_between(morph, weights, params, arena, &made);
+    if (weights.b == 0)
+        status = fit_shape(&morph->a.shape, params, arena, &made);
+    else if (weights.a == 0)
+        status = fit_shape(&morph->b.shape, params, arena, &made);
+    else
+        status = outline_between(morph, weights, params, arena, &made);
     if (status != MT_OK) return status;
     turn_outline_back(morph, weights, &made);
     *outline = made;

@@ -11,7 +11,7 @@
 #include "font/pair.h"
 #include "geometry/limits.h"
 
-#define MEAN 0.25   /* the promise, 1/1000 em */
+#define MEAN 0.25 /* the promise, 1/1000 em */
 #define LARGEST 1.0
 #define FINE 0.1 /* flattening for the comparison, 1/1000 em */
 
@@ -120,9 +120,12 @@ static int read_file(const char *path, int most, uint32_t *chars) {
     while (fgets(line, sizeof line, file)) {
         if (line[0] == '#') continue;
         for (const unsigned char *p = (const unsigned char *)line; *p && made < most; p++) {
-            if (*p >= 0xE0) chars[made++] = *p & 0x0F;
-            else if (*p >= 0xC0) chars[made++] = *p & 0x1F;
-            else if (*p >= 0x80) chars[made - 1] = chars[made - 1] << 6 | (*p & 0x3F);
+            if (*p >= 0xE0)
+                chars[made++] = *p & 0x0F;
+            else if (*p >= 0xC0)
+                chars[made++] = *p & 0x1F;
+            else if (*p >= 0x80)
+                chars[made - 1] = chars[made - 1] << 6 | (*p & 0x3F);
         }
     }
     fclose(file);
@@ -137,7 +140,8 @@ static int read_chars(int count, char **arguments, uint32_t *chars) {
         char *colon = strrchr(arguments[i], ':');
         if (colon) {
             *colon = '\0';
-            int most = atoi(colon + 1), read = most < CHARS_MAX - made ? read_file(arguments[i], most, chars + made) : -1;
+            int most = atoi(colon + 1),
+                read = most < CHARS_MAX - made ? read_file(arguments[i], most, chars + made) : -1;
             if (read < 0) return -1;
             made += read;
             continue;
@@ -149,7 +153,8 @@ static int read_chars(int count, char **arguments, uint32_t *chars) {
 }
 
 /* The blend at t, written and read back. */
-static mt_status blend_and_read(mt_font *a, mt_font *b, double t, const uint32_t *chars, int count, mt_font **made) {
+static mt_status blend_and_read(mt_font *a, mt_font *b, double t, const uint32_t *chars, int count,
+                                mt_font **made) {
     char path[] = "/tmp/morphotype-ends-XXXXXX";
     mt_params params = mt_params_default();
     mt_blend *blend;
@@ -191,6 +196,7 @@ int main(int argc, char **argv) {
     mt_font_close(b);
     mt_font_close(a);
     double mean = sum.points ? sum.total / (double)sum.points : INFINITY;
-    printf("%d glyphs: mean %.3f, largest %.3f (U+%04X), 1/1000 em\n", sum.glyphs, mean, sum.largest, sum.worst);
+    printf("%d glyphs: mean %.3f, largest %.3f (U+%04X), 1/1000 em\n", sum.glyphs, mean, sum.largest,
+           sum.worst);
     return mean <= MEAN && sum.largest <= LARGEST ? 0 : 1;
 }
