@@ -13,17 +13,14 @@ static void crossings_are_corners(mt_shape *shape) {
         }
 }
 
-/* Chords instead of curves move the point where two curves cross at a small angle by much more than the tolerance, or miss
- * the crossing. So contours are looked at this many times more finely first, and kept so where they cross. */
-#define OVERLAP_CARE 8
-
+/* Contours are looked at finely first, and kept so where they cross (MT_OVERLAP_CARE). */
 mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_arena *arena, mt_shape *shape,
                          double *advance) {
     mt_outline outline;
     bool clean, as_coarse;
     double grid = mt_grid_units(tolerance);
     mt_status status = mt_font_outline(font, glyph, arena, &outline, advance);
-    if (status == MT_OK) status = mt_outline_resolve(&outline, grid / OVERLAP_CARE, arena, shape, &clean);
+    if (status == MT_OK) status = mt_outline_resolve(&outline, grid / MT_OVERLAP_CARE, arena, shape, &clean);
     if (status == MT_OK && clean) status = mt_outline_resolve(&outline, grid, arena, shape, &as_coarse);
     if (status == MT_OK) crossings_are_corners(shape);
     return status;

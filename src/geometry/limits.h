@@ -22,6 +22,10 @@ static inline double mt_grid_units(double thousandths) {
 /* Components in one glyph: matching keeps a table of every pair. Braille and dotted faces have some tens. */
 #define MT_COMPONENTS_MAX 2048
 
+/* Chords instead of curves move the point where two curves cross at a small angle by much more than the tolerance, or miss
+ * the crossing, or cross where the curves do not: there the tolerance is divided by this. */
+#define MT_OVERLAP_CARE 8
+
 /* Cells of one alignment's table (morph/align.c): stops of one ring times stops of the other, 9 bytes each. Two rings of
  * 4 000 stops are past anything drawn. */
 #define MT_ALIGNMENT_MAX (1 << 24)

@@ -182,14 +182,17 @@ static void turn_outline_back(const mt_morph *morph, mt_weights weights, mt_outl
         }
 }
 
-/* Between the ends: as they come where that is clean, else the union of all, fitted. */
+/* Between the ends: as they come where that is clean, else the union of all, fitted. Chords instead of curves may touch where
+ * the curves do not, so that what is not clean is looked at again, more finely. */
 static mt_status outline_between(const mt_morph *morph, mt_weights weights, const mt_params *params,
                                  mt_arena *arena, mt_outline *outline) {
     mt_shape shape;
-    bool clean;
+    bool clean = false;
+    double tolerance = mt_grid_units(params->tolerance);
     mt_status status = both_kinds(morph, weights, params, arena, outline);
-    if (status == MT_OK)
-        status = mt_outline_resolve(outline, mt_grid_units(params->tolerance), arena, &shape, &clean);
+    if (status == MT_OK) status = mt_outline_resolve(outline, tolerance, arena, &shape, &clean);
+    if (status == MT_OK && !clean)
+        status = mt_outline_resolve(outline, tolerance / MT_OVERLAP_CARE, arena, &shape, &clean);
     return status == MT_OK && !clean ? fit_shape(&shape, params, arena, outline) : status;
 }
 
