@@ -10,6 +10,16 @@ typedef struct mt_part {
     mt_box box;
 } mt_part;
 
+/* Two parts on their way to each other, and what it takes. */
+typedef struct mt_joining {
+    mt_part a, b;
+    const mt_params *params;
+    mt_arena *arena;
+} mt_joining;
+
+/* Aligns two rings and fits one contour to both. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_join_rings(const mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters);
+
 /* Aligns the outer rings of the two parts and those holes that have a counterpart; a hole without one closes to a point
  * inside the other part's ink. Writes at most as many contours as both have rings, and their number to *made; none when
  * the half-way contours would run into themselves or each other. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
