@@ -36,11 +36,3 @@ mt_status mt_glyph_pair_prepare(mt_font *a, mt_font *b, uint32_t code_point, con
     if (status == MT_OK) status = mt_morph_prepare(&pair->a, &pair->b, params, arena, &pair->morph);
     return status;
 }
-
-mt_status mt_shape_outline(const mt_shape *shape, const mt_params *params, mt_arena *arena,
-                           mt_outline *outline) {
-    mt_rings rings;
-    mt_status status = mt_shape_rings(shape, arena, &rings);
-    if (status != MT_OK) return status;
-    return mt_fit(&rings, mt_grid_units(params->tolerance), mt_grid_units(params->fit), arena, outline);
-}

@@ -25,10 +25,6 @@ mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_are
 mt_status mt_glyph_pair_prepare(mt_font *a, mt_font *b, uint32_t code_point, const mt_params *params,
                                 mt_arena *arena, mt_glyph_pair *pair);
 
-/* The outline of a shape, curves fitted. MT_NO_MEMORY. */
-mt_status mt_shape_outline(const mt_shape *shape, const mt_params *params, mt_arena *arena,
-                           mt_outline *outline);
-
 /* An outline as 'glyf' has it, in `units` to the em: outer contours clockwise, points on whole units, those
  * on the curve that lie midway between their neighbours implied. The advance is in grid units. MT_NO_MEMORY,
  * MT_TOO_LARGE. */

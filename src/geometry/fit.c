@@ -39,19 +39,13 @@ static mt_status bridge_dents(const mt_ring *ring, mt_arena *arena, mt_ring *cle
 
 /* ---- 3: runs ------------------------------------------------------------------------------------------- */
 
-/* At an extremum a smooth curve runs along the other axis. */
-static double along_axis(double heading) {
-    return round(heading / (M_PI / 2)) * (M_PI / 2);
-}
-
 /* The run of `count` chords from vertex `first` on, as count + 1 samples. */
 static void sample_run(const mt_trace *t, int first, int count, mt_sample *samples) {
     int i = first;
     for (int k = 0; k <= count; k++, i = mt_trace_after(t, i)) {
         double heading = k < count ? mt_trace_out(t, i) : mt_trace_in(t, i);
         bool node = !mt_trace_breaks(t, i) && mt_trace_extremum(t, i);
-        if (node) heading = along_axis(heading);
-        samples[k] = (mt_sample){t->ring.points[i].x, t->ring.points[i].y, cos(heading), sin(heading), node};
+        samples[k] = mt_sample_at(t->ring.points[i].x, t->ring.points[i].y, heading, node);
     }
 }
 

@@ -83,6 +83,14 @@ mt_box mt_shape_box(const mt_shape *shape) {
     return all;
 }
 
+double mt_box_width(mt_box box) {
+    return fmax(1, (double)box.max.x - box.min.x);
+}
+
+double mt_box_height(mt_box box) {
+    return fmax(1, (double)box.max.y - box.min.y);
+}
+
 void mt_ring_centre(const mt_ring *ring, double *x, double *y) {
     mt_point o = ring->count ? ring->points[0] : (mt_point){0};
     double area = 0, sx = 0, sy = 0;

@@ -63,6 +63,10 @@ double mt_ring_length(const mt_ring *ring); /* grid units */
 mt_box mt_ring_box(const mt_ring *ring);
 mt_box mt_shape_box(const mt_shape *shape);
 
+/* The sides of a box, grid units; at least 1, so that a place can be taken relative to a box without width or height. */
+double mt_box_width(mt_box box);
+double mt_box_height(mt_box box);
+
 /* The barycentre of the area, grid units. A ring without area gives the middle of its box. */
 void mt_ring_centre(const mt_ring *ring, double *x, double *y);
 

@@ -30,6 +30,11 @@ typedef struct mt_arc {
     double error; /* grid units; INFINITY when no segment joins the two samples */
 } mt_arc;
 
+mt_sample mt_sample_at(double x, double y, double heading, bool node) {
+    if (node) heading = round(heading / (M_PI / 2)) * (M_PI / 2);
+    return (mt_sample){x, y, cos(heading), sin(heading), node};
+}
+
 static mt_vec place(const mt_sample *s) {
     return (mt_vec){s->x, s->y};
 }

@@ -12,6 +12,9 @@ typedef struct mt_sample {
     bool node; /* a segment has to end here: an extremum */
 } mt_sample;
 
+/* The sample at a place where the curve heads so (radians). At a node, which is an extremum, it runs along an axis. */
+mt_sample mt_sample_at(double x, double y, double heading, bool node);
+
 #define MT_MASTERS_MAX 2
 
 /* The fewest quadratic Béziers from the first sample to the last, through some of the samples in their

@@ -73,7 +73,7 @@ typedef struct mt_views {
 static mt_status views_of(const mt_stops *stops, mt_box box, mt_arena *arena, mt_views *views) {
     *views = (mt_views){stops->count, mt_arena_new(arena, (size_t)stops->count, sizeof(mt_view))};
     if (!views->views) return MT_NO_MEMORY;
-    double width = fmax(1, (double)box.max.x - box.min.x), height = fmax(1, (double)box.max.y - box.min.y);
+    double width = mt_box_width(box), height = mt_box_height(box);
     for (int i = 0; i < stops->count; i++) {
         const mt_stop *s = &stops->stops[i];
         views->views[i] = (mt_view){(s->x - box.min.x) / width,

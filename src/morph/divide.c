@@ -50,16 +50,11 @@ static double to_ink(mt_spot p, const mt_component *component) {
     return inside ? 0 : least;
 }
 
-static double side_of(int32_t low, int32_t high) {
-    return fmax(1, (double)high - low);
-}
-
 /* A place of one glyph at the same place in another's box, 1/1000 em. */
 static mt_spot moved(double x, double y, mt_box from, mt_box to) {
-    double s = (x - from.min.x) / side_of(from.min.x, from.max.x),
-           t = (y - from.min.y) / side_of(from.min.y, from.max.y);
-    return (mt_spot){(to.min.x + s * side_of(to.min.x, to.max.x)) * 1000 / MT_EM,
-                     (to.min.y + t * side_of(to.min.y, to.max.y)) * 1000 / MT_EM};
+    double s = (x - from.min.x) / mt_box_width(from), t = (y - from.min.y) / mt_box_height(from);
+    return (mt_spot){(to.min.x + s * mt_box_width(to)) * 1000 / MT_EM,
+                     (to.min.y + t * mt_box_height(to)) * 1000 / MT_EM};
 }
 
 static mt_point corner(const mt_mesh *mesh, int e) {

@@ -11,15 +11,11 @@
 
 /* ---- holes without a counterpart ----------------------------------------------------------------------- */
 
-static double side(int32_t low, int32_t high) {
-    return fmax(1, (double)high - low);
-}
-
 /* The barycentre of a ring, relative to its glyph's box. */
 static void place_of(const mt_ring *ring, mt_box box, double *x, double *y) {
     mt_ring_centre(ring, x, y);
-    *x = (*x - box.min.x) / side(box.min.x, box.max.x);
-    *y = (*y - box.min.y) / side(box.min.y, box.max.y);
+    *x = (*x - box.min.x) / mt_box_width(box);
+    *y = (*y - box.min.y) / mt_box_height(box);
 }
 
 static double apart(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q) {
@@ -108,8 +104,8 @@ static const mt_ring *hole_of(const mt_joining *j, int side, int i) {
 /* Whether a place relative to the box is inside a ring. */
 static bool holds(const mt_ring *ring, mt_box box, double x, double y) {
     bool inside = false;
-    x = box.min.x + x * side(box.min.x, box.max.x);
-    y = box.min.y + y * side(box.min.y, box.max.y);
+    x = box.min.x + x * mt_box_width(box);
+    y = box.min.y + y * mt_box_height(box);
     for (int i = 0; i < ring->count; i++) {
         mt_point a = ring->points[i], b = ring->points[(i + 1) % ring->count];
         if ((a.y <= y) == (b.y <= y)) continue;

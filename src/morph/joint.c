@@ -45,17 +45,19 @@ static int end_of(const mt_strand *strand, bool in_a) {
 
 /* Divides component k of one side among its partners, when it has several; its strands get the shares. */
 static mt_status share_out(mt_loom *loom, int k, bool in_a) {
-    int *strands = mt_arena_new(loom->arena, (size_t)loom->count, sizeof *strands);
-    int *partners = mt_arena_new(loom->arena, (size_t)loom->count, sizeof *partners);
-    mt_component *shares = mt_arena_new(loom->arena, (size_t)loom->count, sizeof *shares);
-    if (!strands || !partners || !shares) return MT_NO_MEMORY;
     int count = 0;
+    for (int i = 0; i < loom->count; i++) count += end_of(&loom->strands[i], in_a) == k;
+    if (count < 2) return MT_OK;
+    int *strands = mt_arena_new(loom->arena, (size_t)count, sizeof *strands);
+    int *partners = mt_arena_new(loom->arena, (size_t)count, sizeof *partners);
+    mt_component *shares = mt_arena_new(loom->arena, (size_t)count, sizeof *shares);
+    if (!strands || !partners || !shares) return MT_NO_MEMORY;
+    count = 0;
     for (int i = 0; i < loom->count; i++) {
         if (end_of(&loom->strands[i], in_a) != k) continue;
         partners[count] = end_of(&loom->strands[i], !in_a);
         strands[count++] = i;
     }
-    if (count < 2) return MT_OK;
     const mt_side *from = in_a ? &loom->morph->a : &loom->morph->b,
                   *to = in_a ? &loom->morph->b : &loom->morph->a;
     bool divided;

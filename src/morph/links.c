@@ -19,8 +19,7 @@ typedef struct mt_mapping {
 static mt_place *places_of(const mt_side *side, bool one_scale, mt_arena *arena) {
     mt_place *places = mt_arena_new(arena, (size_t)side->pieces.count, sizeof *places);
     if (!places) return NULL;
-    double width = fmax(1, (double)side->box.max.x - side->box.min.x);
-    double height = fmax(1, (double)side->box.max.y - side->box.min.y);
+    double width = mt_box_width(side->box), height = mt_box_height(side->box);
     if (one_scale) width = height = fmax(width, height);
     for (int i = 0; i < side->pieces.count; i++) {
         double x, y;

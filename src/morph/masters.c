@@ -30,18 +30,12 @@ static bool is_node(const mt_weave *w, int k) {
     return stop_at(w, 0, k)->extremum && stop_at(w, 1, k)->extremum;
 }
 
-/* At an extremum of both a smooth curve runs along the other axis. */
-static double along_axis(double heading) {
-    return round(heading / (M_PI / 2)) * (M_PI / 2);
-}
-
 static void sample_run(const mt_weave *w, int master, int first, int count, mt_sample *samples) {
     for (int k = 0; k <= count; k++) {
         const mt_stop *stop = stop_at(w, master, first + k);
         double heading = k < count ? stop->out : stop->in;
         bool node = is_node(w, first + k) && !stop->breaks;
-        if (node) heading = along_axis(heading);
-        samples[k] = (mt_sample){stop->x, stop->y, cos(heading), sin(heading), node};
+        samples[k] = mt_sample_at(stop->x, stop->y, heading, node);
     }
 }
 

@@ -150,7 +150,7 @@ mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, const mt_par
 
 /* ---- the blend as curves ------------------------------------------------------------------------------- */
 
-static mt_status fit_shape(const mt_shape *shape, const mt_params *params, mt_arena *arena,
+mt_status mt_shape_outline(const mt_shape *shape, const mt_params *params, mt_arena *arena,
                            mt_outline *outline) {
     mt_rings rings;
     mt_status status = mt_shape_rings(shape, arena, &rings);
@@ -166,7 +166,7 @@ static mt_status both_kinds(const mt_morph *morph, mt_weights weights, const mt_
     mt_outline fitted;
     mt_status status = sums_of_links(morph, weights, 0, arena, &sums);
     if (status == MT_OK) status = mt_union(&sums, arena, &linked);
-    if (status == MT_OK) status = fit_shape(&linked, params, arena, &fitted);
+    if (status == MT_OK) status = mt_shape_outline(&linked, params, arena, &fitted);
     if (status == MT_OK) status = mix_contours(morph, weights, fitted.count, arena, outline);
     if (status != MT_OK) return status;
     for (int i = 0; i < fitted.count; i++) outline->contours[outline->count++] = fitted.contours[i];
@@ -193,7 +193,7 @@ static mt_status outline_between(const mt_morph *morph, mt_weights weights, cons
     if (status == MT_OK) status = mt_outline_resolve(outline, tolerance, arena, &shape, &clean);
     if (status == MT_OK && !clean)
         status = mt_outline_resolve(outline, tolerance / MT_OVERLAP_CARE, arena, &shape, &clean);
-    return status == MT_OK && !clean ? fit_shape(&shape, params, arena, outline) : status;
+    return status == MT_OK && !clean ? mt_shape_outline(&shape, params, arena, outline) : status;
 }
 
 mt_status mt_morph_outline(const mt_morph *morph, mt_weights weights, const mt_params *params,
@@ -202,9 +202,9 @@ mt_status mt_morph_outline(const mt_morph *morph, mt_weights weights, const mt_p
     mt_status status;
     /* Theorem 1: at its ends the blend is A, and B, with the cuts closed along which a component was divided. */
     if (weights.b == 0)
-        status = fit_shape(&morph->a.shape, params, arena, &made);
+        status = mt_shape_outline(&morph->a.shape, params, arena, &made);
     else if (weights.a == 0)
-        status = fit_shape(&morph->b.shape, params, arena, &made);
+        status = mt_shape_outline(&morph->b.shape, params, arena, &made);
     else
         status = outline_between(morph, weights, params, arena, &made);
     if (status != MT_OK) return status;

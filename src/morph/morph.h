@@ -56,4 +56,8 @@ mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, const mt_par
 mt_status mt_morph_outline(const mt_morph *morph, mt_weights weights, const mt_params *params,
                            mt_arena *arena, mt_outline *outline);
 
+/* The outline of a shape by itself, curves fitted as in a blend. MT_NO_MEMORY. */
+mt_status mt_shape_outline(const mt_shape *shape, const mt_params *params, mt_arena *arena,
+                           mt_outline *outline);
+
 #endif

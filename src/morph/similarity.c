@@ -2,14 +2,10 @@
 
 #include <math.h>
 
-static double side(int32_t low, int32_t high) {
-    return fmax(1, (double)high - low); /* a glyph without width or height has sides of one grid unit */
-}
-
 /* A place relative to the rectangle, 0 … 1 on each axis. */
 static void relative(mt_box box, double x, double y, double place[2]) {
-    place[0] = (x - box.min.x) / side(box.min.x, box.max.x);
-    place[1] = (y - box.min.y) / side(box.min.y, box.max.y);
+    place[0] = (x - box.min.x) / mt_box_width(box);
+    place[1] = (y - box.min.y) / mt_box_height(box);
 }
 
 mt_status mt_hull_of(const mt_component *component, mt_box box, mt_arena *arena, mt_hull *hull) {
@@ -27,7 +23,7 @@ mt_status mt_hull_of(const mt_component *component, mt_box box, mt_arena *arena,
     mt_box own = mt_ring_box(&ring);
     relative(box, own.min.x, own.min.y, hull->low);
     relative(box, own.max.x, own.max.y, hull->high);
-    double longer = fmax(side(box.min.x, box.max.x), side(box.min.y, box.max.y));
+    double longer = fmax(mt_box_width(box), mt_box_height(box));
     hull->area = (double)mt_ring_area2(&ring) / (2 * longer * longer);
     mt_arena_rewind(arena, before);
     return MT_OK;
