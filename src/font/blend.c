@@ -196,7 +196,7 @@ static mt_status do_glyph(mt_worker *worker, int glyph) {
     mt_status status = read_sides(worker, p, &pair);
     if (status == MT_OK)
         status =
-            mt_morph_prepare(&pair.a, &pair.b, &worker->job->blend->params, &worker->scratch, &pair.morph);
+            mt_morph_prepare(&pair.a, &pair.b, NULL, &worker->job->blend->params, &worker->scratch, &pair.morph);
     if (status == MT_OK) status = blend_pair(worker, &pair, glyph);
     if (status == MT_OK || status == MT_NO_MEMORY) return status;
     if (glyph != 0) report_failure(worker->job, p.code_point, status); /* nobody asks for .notdef by name */

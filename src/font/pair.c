@@ -33,6 +33,6 @@ mt_status mt_glyph_pair_prepare(mt_font *a, mt_font *b, uint32_t code_point, con
     mt_status status = mt_glyph_shape(a, in_a, params->tolerance, arena, &pair->a, &pair->advance_a);
     if (status == MT_OK)
         status = mt_glyph_shape(b, in_b, params->tolerance, arena, &pair->b, &pair->advance_b);
-    if (status == MT_OK) status = mt_morph_prepare(&pair->a, &pair->b, params, arena, &pair->morph);
+    if (status == MT_OK) status = mt_morph_prepare(&pair->a, &pair->b, NULL, params, arena, &pair->morph);
     return status;
 }

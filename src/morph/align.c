@@ -52,18 +52,33 @@ mt_status mt_stops_of(const mt_trace *t, double chord, double step, mt_arena *ar
     return MT_OK;
 }
 
+mt_status mt_ring_stops(const mt_ring *ring, double chord, double least, mt_arena *arena, mt_stops *stops) {
+    mt_trace trace;
+    mt_status status = mt_trace_ring(ring, chord, arena, &trace);
+    double step = fmax(1, mt_ring_length(ring) / least);
+    return status == MT_OK ? mt_stops_of(&trace, chord, step, arena, stops) : status;
+}
+
 /* ---- what a step costs --------------------------------------------------------------------------------- */
 
 #define DIRECTION_PRICE 1.0 /* for headings that are opposite, both in and out */
 #define DISTANCE_PRICE 4.0  /* for stops as far apart as the box is wide or high */
-#define WAIT_PRICE 0.02     /* for one stop moving on while the other waits */
 #define STARTS 4            /* stops of B that are tried for the start */
 
-/* A stop as the cost sees it. */
-typedef struct mt_view {
-    double x, y; /* relative to the box */
-    double in_x, in_y, out_x, out_y;
-} mt_view;
+mt_view mt_view_of(const mt_stop *s, mt_box box) {
+    return (mt_view){(s->x - box.min.x) / mt_box_width(box),
+                     (s->y - box.min.y) / mt_box_height(box),
+                     cos(s->in),
+                     sin(s->in),
+                     cos(s->out),
+                     sin(s->out)};
+}
+
+double mt_price(const mt_view *a, const mt_view *b) {
+    double same = a->in_x * b->in_x + a->in_y * b->in_y + a->out_x * b->out_x + a->out_y * b->out_y;
+    double dx = a->x - b->x, dy = a->y - b->y;
+    return DIRECTION_PRICE * (2 - same) / 4 + DISTANCE_PRICE * sqrt(dx * dx + dy * dy);
+}
 
 typedef struct mt_views {
     int count;
@@ -73,23 +88,8 @@ typedef struct mt_views {
 static mt_status views_of(const mt_stops *stops, mt_box box, mt_arena *arena, mt_views *views) {
     *views = (mt_views){stops->count, mt_arena_new(arena, (size_t)stops->count, sizeof(mt_view))};
     if (!views->views) return MT_NO_MEMORY;
-    double width = mt_box_width(box), height = mt_box_height(box);
-    for (int i = 0; i < stops->count; i++) {
-        const mt_stop *s = &stops->stops[i];
-        views->views[i] = (mt_view){(s->x - box.min.x) / width,
-                                    (s->y - box.min.y) / height,
-                                    cos(s->in),
-                                    sin(s->in),
-                                    cos(s->out),
-                                    sin(s->out)};
-    }
+    for (int i = 0; i < stops->count; i++) views->views[i] = mt_view_of(&stops->stops[i], box);
     return MT_OK;
-}
-
-static double price(const mt_view *a, const mt_view *b) {
-    double same = a->in_x * b->in_x + a->in_y * b->in_y + a->out_x * b->out_x + a->out_y * b->out_y;
-    double dx = a->x - b->x, dy = a->y - b->y;
-    return DIRECTION_PRICE * (2 - same) / 4 + DISTANCE_PRICE * sqrt(dx * dx + dy * dy);
 }
 
 /* ---- dynamic programming ------------------------------------------------------------------------------- */
@@ -107,7 +107,7 @@ typedef struct mt_grid {
 static void fill_prices(mt_grid *g, const mt_views *a, const mt_views *b) {
     for (int i = 0; i < g->n; i++)
         for (int j = 0; j < g->m; j++)
-            g->prices[(size_t)i * (size_t)g->m + (size_t)j] = (float)price(&a->views[i], &b->views[j]);
+            g->prices[(size_t)i * (size_t)g->m + (size_t)j] = (float)mt_price(&a->views[i], &b->views[j]);
 }
 
 static float price_at(const mt_grid *g, int i, int j) {
@@ -121,8 +121,8 @@ static double fill(mt_grid *g) {
         uint8_t *moves = g->moves + (size_t)i * (size_t)(g->m + 1);
         double diagonal = INFINITY; /* the cost at (i - 1, j - 1) */
         for (int j = 0, k = g->start_b; j <= g->m; j++) {
-            double above = i > 0 ? g->row[j] + WAIT_PRICE : INFINITY;
-            double left = j > 0 ? g->row[j - 1] + WAIT_PRICE : INFINITY;
+            double above = i > 0 ? g->row[j] + MT_WAIT_PRICE : INFINITY;
+            double left = j > 0 ? g->row[j - 1] + MT_WAIT_PRICE : INFINITY;
             double best = i || j ? diagonal : 0;
             moves[j] = BOTH;
             if (above < best) best = above, moves[j] = A_MOVES;

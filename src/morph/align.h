@@ -24,6 +24,23 @@ typedef struct mt_stops {
  * are further apart than `step`. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_stops_of(const mt_trace *trace, double chord, double step, mt_arena *arena, mt_stops *stops);
 
+/* The stops of a ring by itself: its vertices, and at least `least` in all. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_ring_stops(const mt_ring *ring, double chord, double least, mt_arena *arena, mt_stops *stops);
+
+/* A stop as the cost of a step sees it: its place relative to the glyph's box, and its headings as unit vectors. */
+typedef struct mt_view {
+    double x, y;
+    double in_x, in_y, out_x, out_y;
+} mt_view;
+
+mt_view mt_view_of(const mt_stop *stop, mt_box box);
+
+/* What it costs that two stops go with each other: how far apart they are and how much their headings differ, in and out. */
+double mt_price(const mt_view *a, const mt_view *b);
+
+/* What it costs beside that one stop moves on while the other waits. */
+#define MT_WAIT_PRICE 0.02
+
 /* An alignment: steps through both rings, once around each; from one step to the next either stop moves on by
  * one, or both. */
 typedef struct mt_alignment {

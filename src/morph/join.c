@@ -11,38 +11,45 @@
 /* Places along a ring that are aligned, at least; more where the drawing has more vertices. */
 #define STOPS_A_RING 140.0
 
+/* How much of the half-way ink contours may cover twice, or miss. */
+#define OVERLAP_MOST 0.1
+
 /* ---- two rings ----------------------------------------------------------------------------------------- */
 
-static mt_status stops_of(const mt_joining *j, const mt_ring *ring, mt_stops *stops) {
-    mt_trace trace;
-    double chord = mt_grid_units(j->params->tolerance);
-    mt_status status = mt_trace_ring(ring, chord, j->arena, &trace);
-    double step = fmax(1, mt_ring_length(ring) / STOPS_A_RING);
-    return status == MT_OK ? mt_stops_of(&trace, chord, step, j->arena, stops) : status;
-}
-
-mt_status mt_join_rings(const mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters) {
+static mt_status join_rings(const mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters) {
     mt_stops a, b;
     mt_alignment alignment;
-    mt_status status = stops_of(j, p, &a);
-    if (status == MT_OK) status = stops_of(j, q, &b);
+    double chord = mt_grid_units(j->params->tolerance);
+    mt_status status = mt_ring_stops(p, chord, STOPS_A_RING, j->arena, &a);
+    if (status == MT_OK) status = mt_ring_stops(q, chord, STOPS_A_RING, j->arena, &b);
     if (status == MT_OK) status = mt_align(&a, j->a.box, &b, j->b.box, j->arena, &alignment);
     if (status != MT_OK) return status;
     return mt_masters_fit(&a, &b, &alignment, mt_grid_units(j->params->fit), j->arena, masters);
 }
 
-/* ---- a part -------------------------------------------------------------------------------------------- */
+/* ---- whether it can be drawn --------------------------------------------------------------------------- */
 
-/* Whether the contours at T = t keep clear of themselves and of each other. */
-static mt_status is_clean(const mt_joining *j, const mt_masters *contours, int count, double t, bool *clean) {
+static int64_t signed_area2(const mt_rings *rings) {
+    int64_t area = 0;
+    for (int i = 0; i < rings->count; i++) area += mt_ring_area2(&rings->rings[i]);
+    return area;
+}
+
+/* Whether the half-way contours keep clear of themselves and of each other, but for a little. */
+static mt_status is_drawable(const mt_joining *j, const mt_masters *contours, int count, bool *drawable) {
     mt_outline outline = {count, mt_arena_new(j->arena, (size_t)count, sizeof(mt_contour))};
+    mt_rings rings;
     mt_shape shape;
     if (!outline.contours) return MT_NO_MEMORY;
-    for (int i = 0; i < count; i++) {
-        mt_status status = mt_masters_mix(&contours[i], mt_weights_at(t), j->arena, &outline.contours[i]);
-        if (status != MT_OK) return status;
-    }
-    return mt_outline_resolve(&outline, mt_grid_units(j->params->tolerance), j->arena, &shape, clean);
+    mt_status status = MT_OK;
+    for (int i = 0; status == MT_OK && i < count; i++)
+        status = mt_masters_mix(&contours[i], mt_weights_at(0.5), j->arena, &outline.contours[i]);
+    if (status == MT_OK) status = mt_flatten(&outline, mt_grid_units(j->params->tolerance), j->arena, &rings);
+    if (status == MT_OK) status = mt_union(&rings, j->arena, &shape);
+    if (status != MT_OK) return status;
+    double ink = (double)mt_shape_area2(&shape), drawn = (double)signed_area2(&rings);
+    *drawable = fabs(drawn - ink) <= OVERLAP_MOST * ink;
+    return MT_OK;
 }
 
 /* ---- parts that are alike ------------------------------------------------------------------------------ */
@@ -75,28 +82,53 @@ static mt_status moved_contour(const mt_contour *contour, mt_point by, mt_arena 
 }
 
 /* Theorem 1 for a part: where both are alike, there is nothing to align, and each in-between is alike too. */
-static mt_status join_alike(const mt_joining *j, mt_point by, mt_masters *contours, int *made) {
+static mt_status join_alike(const mt_joining *j, mt_point by, mt_masters *contours, int *count) {
     mt_outline outline;
     double tolerance = mt_grid_units(j->params->tolerance), fit = mt_grid_units(j->params->fit);
     mt_status status = mt_fit(j->a.component, tolerance, fit, j->arena, &outline);
     for (int i = 0; status == MT_OK && i < outline.count; i++) {
-        contours[i].a = outline.contours[i];
-        status = moved_contour(&outline.contours[i], by, j->arena, &contours[i].b);
+        contours[*count].a = outline.contours[i];
+        status = moved_contour(&outline.contours[i], by, j->arena, &contours[(*count)++].b);
     }
-    if (status == MT_OK) *made = outline.count;
+    return status;
+}
+
+/* ---- parts --------------------------------------------------------------------------------------------- */
+
+static mt_status close_hole(const mt_joining *j, const mt_ring *hole, bool in_a, mt_masters *contours,
+                            int *count) {
+    const mt_part *own = in_a ? &j->a : &j->b, *other = in_a ? &j->b : &j->a;
+    mt_shape ink = {1, (mt_component *)other->component};
+    mt_closing closing = {own->box, &ink, other->box, j->params};
+    mt_status status = mt_close_ring(hole, in_a, &closing, j->arena, &contours[*count]);
+    *count += status == MT_OK && contours[*count].a.count > 0;
+    return status;
+}
+
+static mt_status join_all(mt_joining *j, mt_masters *contours, int *count) {
+    mt_hole_pairs pairs;
+    mt_status status = mt_pair_holes(j, &pairs);
+    const mt_component *a = j->a.component, *b = j->b.component;
+    if (status == MT_OK) status = join_rings(j, &a->rings[0], &b->rings[0], &contours[(*count)++]);
+    for (int i = 1; status == MT_OK && i < a->count; i++)
+        if (pairs.in_b[i])
+            status = join_rings(j, &a->rings[i], &b->rings[pairs.in_b[i]], &contours[(*count)++]);
+        else
+            status = close_hole(j, &a->rings[i], true, contours, count);
+    for (int i = 1; status == MT_OK && i < b->count; i++)
+        if (!pairs.in_a[i]) status = close_hole(j, &b->rings[i], false, contours, count);
     return status;
 }
 
 mt_status mt_join(mt_part a, mt_part b, const mt_params *params, mt_arena *arena, mt_masters *contours,
-                  int *made) {
+                  int *count) {
     mt_joining j = {a, b, params, arena};
     mt_point by;
-    if (is_moved(a.component, b.component, &by)) return join_alike(&j, by, contours, made);
-    bool clean = false;
-    int count = 1;
-    mt_status status = mt_join_rings(&j, &a.component->rings[0], &b.component->rings[0], &contours[0]);
-    if (status == MT_OK) status = mt_join_holes(&j, contours, &count);
-    if (status == MT_OK) status = is_clean(&j, contours, count, 0.5, &clean);
-    if (status == MT_OK) *made = clean ? count : 0;
+    if (is_moved(a.component, b.component, &by)) return join_alike(&j, by, contours, count);
+    int before = *count;
+    bool drawable = false;
+    mt_status status = join_all(&j, contours, count);
+    if (status == MT_OK) status = is_drawable(&j, contours + before, *count - before, &drawable);
+    if (status == MT_OK && !drawable) *count = before;
     return status;
 }

@@ -17,13 +17,11 @@ typedef struct mt_joining {
     mt_arena *arena;
 } mt_joining;
 
-/* Aligns two rings and fits one contour to both. MT_NO_MEMORY, MT_TOO_LARGE. */
-mt_status mt_join_rings(const mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters);
-
-/* Aligns the outer rings of the two parts and those holes that have a counterpart; a hole without one closes to a point
- * inside the other part's ink. Writes at most as many contours as both have rings, and their number to *made; none when
- * the half-way contours would run into themselves or each other. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
+/* Joins two parts: their outer rings and those holes that have a counterpart are aligned, and a contour is fitted to each pair.
+ * A hole without a counterpart is slit open, or closes to a point inside the other part's ink. Appends to contours[*count]
+ * at most as many contours as both have rings; none when the half-way contours would lie too much over themselves or each
+ * other. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
 mt_status mt_join(mt_part a, mt_part b, const mt_params *params, mt_arena *arena, mt_masters *contours,
-                  int *made);
+                  int *count);
 
 #endif

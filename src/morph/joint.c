@@ -1,135 +1,132 @@
 #include "morph/joint.h"
 
-#include "morph/divide.h"
+#include "morph/holes.h"
 #include "morph/join.h"
-
-/* One match on its way: what each side puts in, and which other matches it hangs together with. */
-typedef struct mt_strand {
-    mt_link match;
-    mt_component in_a, in_b; /* the whole component, or the match's share of it */
-    int group;
-} mt_strand;
+#include "morph/reconcile.h"
 
 typedef struct mt_loom {
     mt_morph *morph;
     const mt_params *params;
     mt_arena *arena;
-    int count;
-    mt_strand *strands;
-    bool *failed; /* each group */
 } mt_loom;
 
-/* ---- groups -------------------------------------------------------------------------------------------------- */
-
-static void name_groups(mt_loom *loom) {
-    for (int i = 0; i < loom->count; i++) loom->strands[i].group = i;
-    bool changed = true;
-    while (changed) {
-        changed = false;
-        for (int i = 0; i < loom->count; i++)
-            for (int k = 0; k < i; k++) {
-                mt_strand *p = &loom->strands[i], *q = &loom->strands[k];
-                bool together = p->match.a == q->match.a || p->match.b == q->match.b;
-                if (!together || p->group == q->group) continue;
-                p->group = q->group = p->group < q->group ? p->group : q->group;
-                changed = true;
-            }
-    }
+static mt_part part_of(const mt_side *side, int k) {
+    return (mt_part){&side->shape.components[k], side->box};
 }
 
-/* ---- shares -------------------------------------------------------------------------------------------------- */
-
-static int end_of(const mt_strand *strand, bool in_a) {
-    return in_a ? strand->match.a : strand->match.b;
-}
-
-/* Divides component k of one side among its partners, when it has several; its strands get the shares. */
-static mt_status share_out(mt_loom *loom, int k, bool in_a) {
-    int count = 0;
-    for (int i = 0; i < loom->count; i++) count += end_of(&loom->strands[i], in_a) == k;
-    if (count < 2) return MT_OK;
-    int *strands = mt_arena_new(loom->arena, (size_t)count, sizeof *strands);
-    int *partners = mt_arena_new(loom->arena, (size_t)count, sizeof *partners);
-    mt_component *shares = mt_arena_new(loom->arena, (size_t)count, sizeof *shares);
-    if (!strands || !partners || !shares) return MT_NO_MEMORY;
-    count = 0;
-    for (int i = 0; i < loom->count; i++) {
-        if (end_of(&loom->strands[i], in_a) != k) continue;
-        partners[count] = end_of(&loom->strands[i], !in_a);
-        strands[count++] = i;
-    }
-    const mt_side *from = in_a ? &loom->morph->a : &loom->morph->b,
-                  *to = in_a ? &loom->morph->b : &loom->morph->a;
-    bool divided;
-    mt_status status = mt_divide(from, k, to, partners, count, loom->arena, shares, &divided);
-    if (status != MT_OK) return status;
-    if (!divided) loom->failed[loom->strands[strands[0]].group] = true;
-    for (int i = 0; i < count && divided; i++) {
-        mt_strand *strand = &loom->strands[strands[i]];
-        if (in_a)
-            strand->in_a = shares[i];
-        else
-            strand->in_b = shares[i];
-    }
-    return MT_OK;
-}
-
-static mt_status start_loom(mt_loom *loom, const mt_links *matches) {
-    loom->count = matches->count;
-    loom->strands = mt_arena_new(loom->arena, (size_t)loom->count, sizeof *loom->strands);
-    loom->failed = mt_arena_new(loom->arena, (size_t)loom->count, sizeof *loom->failed);
-    if (!loom->strands || !loom->failed) return MT_NO_MEMORY;
-    for (int i = 0; i < loom->count; i++) {
-        mt_link match = matches->links[i];
-        loom->strands[i] = (mt_strand){match, loom->morph->a.shape.components[match.a],
-                                       loom->morph->b.shape.components[match.b], i};
-    }
-    name_groups(loom);
-    mt_status status = MT_OK;
-    for (int k = 0; status == MT_OK && k < loom->morph->a.shape.count; k++) status = share_out(loom, k, true);
-    for (int l = 0; status == MT_OK && l < loom->morph->b.shape.count; l++)
-        status = share_out(loom, l, false);
-    return status;
-}
-
-/* ---- contours ------------------------------------------------------------------------------------------------ */
-
-/* Joins the strands of a group; when one cannot be, none is. */
-static mt_status join_group(mt_loom *loom, int group) {
-    mt_morph *morph = loom->morph;
-    int before = morph->contour_count;
-    for (int i = group; i < loom->count && !loom->failed[group]; i++) {
-        const mt_strand *strand = &loom->strands[i];
-        if (strand->group != group) continue;
-        mt_part a = {&strand->in_a, morph->a.box}, b = {&strand->in_b, morph->b.box};
-        int made = 0;
-        mt_status status =
-            mt_join(a, b, loom->params, loom->arena, morph->contours + morph->contour_count, &made);
-        if (status != MT_OK) return status;
-        morph->contour_count += made;
-        loom->failed[group] = made == 0;
-    }
-    if (loom->failed[group]) morph->contour_count = before;
-    return MT_OK;
-}
-
-static size_t rings_in(const mt_loom *loom) {
+static size_t rings_in(const mt_shape *shape) {
     size_t rings = 0;
-    for (int i = 0; i < loom->count; i++)
-        rings += (size_t)loom->strands[i].in_a.count + (size_t)loom->strands[i].in_b.count;
+    for (int k = 0; k < shape->count; k++) rings += (size_t)shape->components[k].count;
     return rings;
 }
 
-mt_status mt_joint(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_links *rest) {
-    mt_loom loom = {morph, params, arena, 0, NULL, NULL};
-    mt_status status = start_loom(&loom, &morph->matches);
+/* Room for the contours, and for what is aligned. */
+static mt_status start(mt_loom *loom) {
+    mt_morph *m = loom->morph;
+    m->contour_count = 0;
+    m->contours =
+        mt_arena_new(loom->arena, rings_in(&m->a.shape) + rings_in(&m->b.shape), sizeof(mt_masters));
+    m->a.aligned = mt_arena_new(loom->arena, (size_t)m->a.shape.count, sizeof(bool));
+    m->b.aligned = mt_arena_new(loom->arena, (size_t)m->b.shape.count, sizeof(bool));
+    return m->contours && m->a.aligned && m->b.aligned ? MT_OK : MT_NO_MEMORY;
+}
+
+/* Joins a match; both components are aligned when that went well. */
+static mt_status join_match(mt_loom *loom, mt_link match) {
+    mt_morph *m = loom->morph;
+    int before = m->contour_count;
+    mt_status status = mt_join(part_of(&m->a, match.a), part_of(&m->b, match.b), loom->params, loom->arena,
+                               m->contours, &m->contour_count);
+    if (m->contour_count > before) m->a.aligned[match.a] = m->b.aligned[match.b] = true;
+    return status;
+}
+
+/* ---- as they are --------------------------------------------------------------------------------------------- */
+
+/* Whether every component has one counterpart with as many holes. */
+static bool is_plain(const mt_morph *m) {
+    if (m->matches.count != m->a.shape.count || m->matches.count != m->b.shape.count) return false;
+    for (int i = 0; i < m->matches.count; i++) {
+        mt_link match = m->matches.links[i];
+        if (match.a != i || m->a.shape.components[match.a].count != m->b.shape.components[match.b].count)
+            return false;
+    }
+    return true;
+}
+
+static mt_status join_plain(mt_loom *loom, bool *joined) {
+    mt_morph *m = loom->morph;
+    mt_status status = MT_OK;
+    *joined = is_plain(m);
+    for (int i = 0; status == MT_OK && *joined && i < m->matches.count; i++) {
+        status = join_match(loom, m->matches.links[i]);
+        *joined = m->a.aligned[m->matches.links[i].a];
+    }
+    return status;
+}
+
+/* ---- cut ----------------------------------------------------------------------------------------------------- */
+
+static int without_partner(const mt_cut_side *cut) {
+    int count = 0;
+    for (int i = 0; i < cut->shares.count; i++) count += cut->partner[i] < 0;
+    return count;
+}
+
+/* The matches of the shares: partners, and what is left of both sides with all that is left of the other. */
+static mt_status match_shares(mt_loom *loom, const mt_cut_side *a, const mt_cut_side *b) {
+    size_t rest = (size_t)without_partner(a) * (size_t)without_partner(b);
+    mt_links made = {0, mt_arena_new(loom->arena, rest + (size_t)a->shares.count, sizeof(mt_link))};
+    if (!made.links) return MT_NO_MEMORY;
+    for (int i = 0; i < a->shares.count; i++) {
+        if (a->partner[i] >= 0) made.links[made.count++] = (mt_link){i, a->partner[i]};
+        for (int k = 0; k < b->shares.count && a->partner[i] < 0; k++)
+            if (b->partner[k] < 0) made.links[made.count++] = (mt_link){i, k};
+    }
+    loom->morph->matches = made;
+    return MT_OK;
+}
+
+/* What only one side has grows out of the ink of the other. */
+static mt_status join_rest(mt_loom *loom, const mt_cut_side *cut, bool in_a) {
+    mt_morph *m = loom->morph;
+    mt_side *side = in_a ? &m->a : &m->b, *other = in_a ? &m->b : &m->a;
+    mt_closing closing = {side->box, &other->whole, other->box, loom->params};
+    for (int k = 0; k < cut->shares.count; k++) {
+        const mt_component *component = &cut->shares.components[k];
+        for (int i = 0; i < component->count && cut->partner[k] < 0; i++) {
+            mt_status status = mt_close_ring(&component->rings[i], in_a, &closing, loom->arena,
+                                             &m->contours[m->contour_count]);
+            if (status != MT_OK) return status;
+            m->contour_count += m->contours[m->contour_count].a.count > 0;
+            side->aligned[k] = true;
+        }
+    }
+    return MT_OK;
+}
+
+static mt_status join_cut(mt_loom *loom) {
+    mt_morph *m = loom->morph;
+    mt_cut_side a, b;
+    mt_status status = mt_reconcile(&m->a, &m->b, loom->params, loom->arena, &a, &b);
     if (status != MT_OK) return status;
-    morph->contours = mt_arena_new(arena, rings_in(&loom), sizeof(mt_masters));
-    *rest = (mt_links){0, mt_arena_new(arena, (size_t)loom.count, sizeof(mt_link))};
-    if (!morph->contours || !rest->links) return MT_NO_MEMORY;
-    for (int group = 0; status == MT_OK && group < loom.count; group++)
-        if (loom.strands[group].group == group) status = join_group(&loom, group);
-    for (int i = 0; i < loom.count; i++)
-        if (loom.failed[loom.strands[i].group]) rest->links[rest->count++] = loom.strands[i].match;
+    m->a.shape = a.shares;
+    m->b.shape = b.shares;
+    status = match_shares(loom, &a, &b);
+    if (status == MT_OK) status = start(loom);
+    for (int i = 0; status == MT_OK && i < m->matches.count; i++)
+        if (a.partner[m->matches.links[i].a] >= 0) status = join_match(loom, m->matches.links[i]);
+    int in_a = without_partner(&a), in_b = without_partner(&b);
+    if (status == MT_OK && in_a && !in_b) status = join_rest(loom, &a, true);
+    if (status == MT_OK && in_b && !in_a) status = join_rest(loom, &b, false);
+    return status;
+}
+
+mt_status mt_joint(mt_morph *morph, const mt_params *params, mt_arena *arena) {
+    mt_loom loom = {morph, params, arena};
+    bool joined = false;
+    mt_status status = start(&loom);
+    if (status == MT_OK) status = join_plain(&loom, &joined);
+    if (status == MT_OK && !joined) status = join_cut(&loom);
     return status;
 }

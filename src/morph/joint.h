@@ -1,12 +1,12 @@
-/* The joint method: as many parts on both sides, each pair one moving contour with its holes. */
+/* The joint method: matched components are aligned along their boundaries and move as one contour for each pair of rings. */
 #ifndef MT_JOINT_H
 #define MT_JOINT_H
 
 #include "morph/morph.h"
 
-/* Joins all matched components of morph->a and morph->b into morph->contours. A component with several partners is divided
- * among them first. Components that hang together by matches, and cannot all be divided and joined, are left to the
- * paper's mapping: their matches go to `rest`. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
-mt_status mt_joint(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_links *rest);
+/* Aligns the components of both sides: as they are where each has one counterpart and as many holes as it, otherwise cut
+ * (reconcile.h), so that the sides' shapes and the matches are those of what they were cut into. Sets the contours, and
+ * which components are aligned. What cannot be stays for the links. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
+mt_status mt_joint(mt_morph *morph, const mt_params *params, mt_arena *arena);
 
 #endif

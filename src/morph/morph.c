@@ -12,12 +12,15 @@
 
 /* ---- 2.1 convex decomposition -------------------------------------------------------------------------- */
 
+/* The components that do not move by contours. */
 static mt_status decompose_all(mt_side *side, mt_arena *arena) {
     mt_pieces *parts = mt_arena_new(arena, (size_t)side->shape.count, sizeof *parts);
     side->first = mt_arena_new(arena, (size_t)side->shape.count + 1, sizeof *side->first);
     if (!parts || !side->first) return MT_NO_MEMORY;
     for (int k = 0; k < side->shape.count; k++) {
-        mt_status status = mt_decompose(&side->shape.components[k], arena, &parts[k]);
+        mt_status status = MT_OK;
+        if (!side->aligned || !side->aligned[k])
+            status = mt_decompose(&side->shape.components[k], arena, &parts[k]);
         if (status != MT_OK) return status;
         side->first[k + 1] = side->first[k] + parts[k].count;
     }
@@ -70,27 +73,40 @@ static mt_status turn_b(mt_morph *morph, const mt_params *params, mt_arena *aren
         mt_shape_turn(&morph->b.shape, mt_box_middle(morph->b.box), -morph->degrees, arena, &turned);
     if (status == MT_OK) status = mt_shape_rings(&turned, arena, &turned_rings);
     if (status == MT_OK)
-        status = mt_union(&turned_rings, arena, &morph->b.shape); /* rounding may make edges touch */
-    if (status == MT_OK) morph->b.box = mt_shape_box(&morph->b.shape);
+        status = mt_union(&turned_rings, arena, &morph->b.whole); /* rounding may make edges touch */
+    if (status != MT_OK) return status;
+    morph->b.shape = morph->b.whole;
+    morph->b.box = mt_shape_box(&morph->b.whole);
+    return MT_OK;
+}
+
+/* ---- the joint method ---------------------------------------------------------------------------------- */
+
+/* What the joint method cannot take, the paper's own still can. */
+static mt_status join(mt_morph *morph, const mt_params *params, mt_arena *arena) {
+    mt_morph joined = *morph;
+    mt_status status = mt_joint(&joined, params, arena);
+    if (status == MT_TOO_LARGE || status == MT_BAD_GEOMETRY) return MT_OK;
+    if (status == MT_OK) *morph = joined;
     return status;
 }
 
 /* ---- all of it ----------------------------------------------------------------------------------------- */
 
-mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_params *params, mt_arena *arena,
-                           mt_morph *morph) {
-    mt_morph made = {.a = {.shape = *a, .box = mt_shape_box(a)}, .b = {.shape = *b, .box = mt_shape_box(b)}};
+mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints *hints,
+                           const mt_params *params, mt_arena *arena, mt_morph *morph) {
+    (void)hints;
+    mt_morph made = {.a = {.whole = *a, .shape = *a, .box = mt_shape_box(a)},
+                     .b = {.whole = *b, .shape = *b, .box = mt_shape_box(b)}};
     if ((a->count == 0) != (b->count == 0)) return MT_NO_COUNTERPART;
     if (a->count > MT_COMPONENTS_MAX || b->count > MT_COMPONENTS_MAX) return MT_TOO_LARGE;
     mt_status status = a->count ? turn_b(&made, params, arena) : MT_OK;
+    if (status == MT_OK && a->count) status = match_components(&made, params, arena);
+    if (status == MT_OK && a->count && params->method == MT_METHOD_JOINT) status = join(&made, params, arena);
     if (status == MT_OK) status = decompose_all(&made.a, arena);
     if (status == MT_OK) status = decompose_all(&made.b, arena);
-    if (status == MT_OK && a->count) status = match_components(&made, params, arena);
-    mt_links by_pieces = made.matches;
-    if (status == MT_OK && params->method == MT_METHOD_JOINT)
-        status = mt_joint(&made, params, arena, &by_pieces);
     if (status == MT_OK)
-        status = mt_link_pieces(&made.a, &made.b, &by_pieces, params->one_scale, arena, &made.links);
+        status = mt_link_pieces(&made.a, &made.b, &made.matches, params->one_scale, arena, &made.links);
     if (status == MT_OK) *morph = made;
     return status;
 }
@@ -202,9 +218,9 @@ mt_status mt_morph_outline(const mt_morph *morph, mt_weights weights, const mt_p
     mt_status status;
     /* Theorem 1: at its ends the blend is A, and B, with the cuts closed along which a component was divided. */
     if (weights.b == 0)
-        status = mt_shape_outline(&morph->a.shape, params, arena, &made);
+        status = mt_shape_outline(&morph->a.whole, params, arena, &made);
     else if (weights.a == 0)
-        status = mt_shape_outline(&morph->b.shape, params, arena, &made);
+        status = mt_shape_outline(&morph->b.whole, params, arena, &made);
     else
         status = outline_between(morph, weights, params, arena, &made);
     if (status != MT_OK) return status;

@@ -5,6 +5,7 @@
 
 #include "geometry/minkowski.h"
 #include "geometry/outline.h"
+#include "morph/hints.h"
 
 /* A pair of indices: into A's and into B's components, or pieces. */
 typedef struct mt_link {
@@ -17,10 +18,12 @@ typedef struct mt_links {
 } mt_links;
 
 /* One side, decomposed. Pieces are numbered through all components: those of component k are
- * first[k] … first[k + 1] - 1. */
+ * first[k] … first[k + 1] - 1; an aligned component has none. */
 typedef struct mt_side {
-    mt_shape shape;
-    mt_box box; /* of the shape: the paper's minimum rectangle */
+    mt_shape whole; /* as it was drawn */
+    mt_shape shape; /* its components: with MT_METHOD_JOINT cut where the other side is apart */
+    mt_box box;     /* of the shape: the paper's minimum rectangle */
+    bool *aligned;  /* of each component: it moves by contours, not by links */
     mt_pieces pieces;
     int *first; /* shape.count + 1 of them */
 } mt_side;
@@ -34,17 +37,17 @@ typedef struct mt_masters {
 typedef struct mt_morph {
     mt_side a, b;      /* b turned by -degrees about its box's middle */
     mt_links matches;  /* of components, 2.2.1 */
-    int contour_count; /* of the components that are aligned whole; none with MT_METHOD_PAPER */
+    int contour_count; /* of the aligned components; none with MT_METHOD_PAPER */
     mt_masters *contours;
     mt_links links; /* of the others' pieces, 2.2.2: the paper's list R */
     double degrees; /* q of formula (5); 0 without rotation */
 } mt_morph;
 
-/* Decomposes and matches; with MT_METHOD_JOINT, aligns what can be. Everything lives in the arena, and the
+/* Decomposes and matches, as `hints` (unless NULL) say where they say something; with MT_METHOD_JOINT, aligns what can be. Everything lives in the arena, and the
  * shapes must stay as long as the morph. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY; MT_NO_COUNTERPART when
  * one shape has ink and the other none. */
-mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_params *params, mt_arena *arena,
-                           mt_morph *morph);
+mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints *hints,
+                           const mt_params *params, mt_arena *arena, mt_morph *morph);
 
 /* The blend C(r), or C_int(r) with rotation, as polygons: the ink at these weights. May be called for many
  * weights. */

@@ -58,7 +58,7 @@ static mt_status match(const mt_shape *a, const mt_shape *b, const mt_params *pa
         for (int k = 0; status == MT_OK && k < sides[s]->count; k++)
             status = mt_decompose(&sides[s]->components[k], &arena, &pieces);
     lap(t, DECOMPOSE, &from);
-    if (status == MT_OK) status = mt_morph_prepare(a, b, params, &arena, morph);
+    if (status == MT_OK) status = mt_morph_prepare(a, b, NULL, params, &arena, morph);
     lap(t, MATCH, &from);
     t->time[MATCH] -= t->time[DECOMPOSE] - before;
     if (status != MT_OK) return status;

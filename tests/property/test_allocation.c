@@ -135,7 +135,7 @@ static mt_status morph_by(mt_method method, mt_arena *arena) {
     mt_morph made;
     mt_shape blend;
     mt_outline contours;
-    mt_status status = mt_morph_prepare(&now->a, &now->b, &params, arena, &made);
+    mt_status status = mt_morph_prepare(&now->a, &now->b, NULL, &params, arena, &made);
     if (status == MT_OK) status = mt_morph_blend(&made, mt_weights_at(0.5), &params, arena, &blend);
     if (status == MT_OK) status = mt_morph_outline(&made, mt_weights_at(0.5), &params, arena, &contours);
     return status;

@@ -57,7 +57,7 @@ static void begin(trial *t, const char *name, int number, int most, int size) {
 static mt_shape blend_of(const mt_shape *a, const mt_shape *b, const trial *t, mt_weights weights) {
     mt_morph morph;
     mt_shape blend = {0};
-    mt_require(mt_morph_prepare(a, b, &t->params, &arena, &morph) == MT_OK, &t->subject);
+    mt_require(mt_morph_prepare(a, b, NULL, &t->params, &arena, &morph) == MT_OK, &t->subject);
     mt_require(mt_morph_blend(&morph, weights, &t->params, &arena, &blend) == MT_OK, &t->subject);
     return blend;
 }
@@ -250,7 +250,7 @@ static void finer_links_give_less(void **state) {
         trial t;
         begin(&t, "finer_links_give_less", n, 1, 16);
         mt_morph morph;
-        mt_require(mt_morph_prepare(&t.a, &t.b, &t.params, &arena, &morph) == MT_OK, &t.subject);
+        mt_require(mt_morph_prepare(&t.a, &t.b, NULL, &t.params, &arena, &morph) == MT_OK, &t.subject);
         mt_pieces fine_a = triangles_of(&t.a.components[0]), fine_b = triangles_of(&t.b.components[0]);
         mt_rings all = mt_test_rings(&arena, fine_a.count * fine_b.count);
         mt_rings some = mt_test_rings(&arena, fine_a.count * fine_b.count);

@@ -50,7 +50,7 @@ static mt_shape bars(const int (*boxes)[4], int count) {
 
 static mt_morph morph_of(mt_shape a, mt_shape b, const mt_params *params) {
     mt_morph morph;
-    mt_assert_ok(mt_morph_prepare(&a, &b, params, &arena, &morph));
+    mt_assert_ok(mt_morph_prepare(&a, &b, NULL, params, &arena, &morph));
     return morph;
 }
 
@@ -76,9 +76,9 @@ static void nothing_and_something(void **state) {
     for (int method = MT_METHOD_JOINT; method <= MT_METHOD_PAPER; method++) {
         mt_params params = by((mt_method)method);
         mt_morph morph;
-        assert_int_equal(mt_morph_prepare(&none, &square, &params, &arena, &morph), MT_NO_COUNTERPART);
-        assert_int_equal(mt_morph_prepare(&square, &none, &params, &arena, &morph), MT_NO_COUNTERPART);
-        mt_assert_ok(mt_morph_prepare(&none, &none, &params, &arena, &morph));
+        assert_int_equal(mt_morph_prepare(&none, &square, NULL, &params, &arena, &morph), MT_NO_COUNTERPART);
+        assert_int_equal(mt_morph_prepare(&square, &none, NULL, &params, &arena, &morph), MT_NO_COUNTERPART);
+        mt_assert_ok(mt_morph_prepare(&none, &none, NULL, &params, &arena, &morph));
         mt_assert_ok(mt_morph_blend(&morph, mt_weights_at(0.5), &params, &arena, &blend));
         assert_int_equal(blend.count, 0);
         assert_int_equal(outline_at(&morph, 0.5, &params).count, 0);

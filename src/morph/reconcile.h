@@ -1,0 +1,18 @@
+/* Making two glyphs agree: each is cut where the other is apart, so that as many components as can be have one counterpart. */
+#ifndef MT_RECONCILE_H
+#define MT_RECONCILE_H
+
+#include "morph/morph.h"
+
+/* One side, cut into shares. */
+typedef struct mt_cut_side {
+    mt_shape shares;
+    int *partner; /* of each share, that of the other side; -1 where none is */
+} mt_cut_side;
+
+/* Walks around every ring of each side on the border of the other (walk.h), cuts where walkers cross the ink both ways, pairs
+ * what comes of it (pairing.h), and takes back the cuts that do not help. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
+mt_status mt_reconcile(const mt_side *a, const mt_side *b, const mt_params *params, mt_arena *arena,
+                       mt_cut_side *cut_a, mt_cut_side *cut_b);
+
+#endif
