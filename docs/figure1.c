@@ -66,7 +66,7 @@ static mt_status draw_row(figure *f, int row) {
     mt_params params = mt_params_default();
     mt_glyph_pair pair;
     if (row < 2) params.method = MT_METHOD_PAPER;
-    mt_status status = mt_glyph_pair_prepare(f->a, f->b, f->code_point, &params, &f->arena, &pair);
+    mt_status status = mt_glyph_pair_prepare(f->a, f->b, f->code_point, NULL, &params, &f->arena, &pair);
     double top = GAP + row * (EM + 3 * LABEL + GAP);
     mt_label_draw(f->canvas.cairo, titles[row], GAP, top + LABEL, LABEL);
     for (int i = 0; status == MT_OK && i < STEPS; i++) {

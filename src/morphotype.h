@@ -54,6 +54,7 @@ typedef enum mt_status {
     MT_BAD_PARAMETER,  /* a parameter is out of its documented range */
     MT_CANNOT_WRITE,   /* the output file cannot be written */
     MT_UNKNOWN_FORMAT, /* the output file's extension is none that can be written */
+    MT_BAD_HINTS,      /* the hints file is malformed */
 } mt_status;
 
 /* One line of English, without a full stop; static storage. */
@@ -147,6 +148,34 @@ typedef struct mt_draw {
 MT_API mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const mt_draw *draw,
                                 void *user, double *advance);
 MT_API int mt_blend_units_per_em(const mt_blend *blend);
+
+/* ---- hints ------------------------------------------------------------------------------------------------
+ */
+
+/* What a person has decided, by characters: which component goes with which, and which place on the boundary
+ * with which. docs/guide.md has the format of the file. */
+typedef struct mt_hint_table mt_hint_table;
+
+typedef struct mt_hint_error {
+    int line;           /* from 1 */
+    const char *reason; /* one line of English, without a full stop; static storage */
+} mt_hint_error;
+
+/* Reads a file, or a text in memory, which need not end with a NUL. MT_BAD_HINTS, with `error` (unless NULL)
+ * filled in, MT_NO_FILE, MT_TOO_LARGE, MT_NO_MEMORY. */
+MT_API mt_status mt_hint_table_open(const char *path, mt_hint_table **table, mt_hint_error *error);
+MT_API mt_status mt_hint_table_read(const char *text, size_t length, mt_hint_table **table,
+                                    mt_hint_error *error);
+MT_API void mt_hint_table_free(mt_hint_table *table); /* NULL is fine */
+
+/* The smallest code point that has hints and that is at least `from`; false when there is none. */
+MT_API bool mt_hint_table_next_char(const mt_hint_table *table, uint32_t from, uint32_t *code_point);
+
+/* The blend goes by these hints from now on; NULL: by none. The table is copied. Hints for characters that the
+ * fonts do not share are passed over. Characters that lead to the same two glyphs have their hints in common.
+ * MT_BAD_HINTS, with `error` (unless NULL) filled in, for a place over 32 em from the origin and for more than
+ * 256 hints for one glyph; MT_NO_MEMORY. The blend then goes by the hints it had. */
+MT_API mt_status mt_blend_set_hints(mt_blend *blend, const mt_hint_table *table, mt_hint_error *error);
 
 #ifdef __cplusplus
 }

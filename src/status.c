@@ -20,6 +20,7 @@ const char *mt_status_text(mt_status status) {
     case MT_BAD_PARAMETER: return "a parameter is out of range";
     case MT_CANNOT_WRITE: return "the file cannot be written";
     case MT_UNKNOWN_FORMAT: return "the file's extension is of no format that can be written";
+    case MT_BAD_HINTS: return "the hints file is malformed";
     }
     return "unknown status";
 }

@@ -1,6 +1,7 @@
 /* morphotype inspect: how characters are cut and matched, as a picture or as data. */
 #include "commands.h"
 #include "font/file.h"
+#include "hints_file.h"
 #include "messages.h"
 #include "render/canvas.h"
 #include "render/render.h"
@@ -17,6 +18,7 @@ typedef struct inspection {
     const cli_options *options;
     mt_font *fonts[2]; /* the second NULL where there is one */
     characters chosen;
+    mt_hint_index *hints; /* NULL: none */
     mt_inspection what;
 } inspection;
 
@@ -83,16 +85,33 @@ static int check(const cli_options *options) {
     return options->output ? output_check(options->output) : DONE;
 }
 
+/* With one font, hints have nothing to say; their file has to be right all the same. */
+static int index_hints(inspection *this, int font_count) {
+    mt_hint_table *table;
+    mt_hint_error error;
+    int outcome = hints_read(this->options, this->fonts, font_count, &table);
+    if (outcome != DONE || !table) return outcome;
+    mt_status status = MT_OK;
+    if (font_count == 2)
+        status = mt_hint_index_new(table, this->fonts[0], this->fonts[1], &this->hints, &error);
+    mt_hint_table_free(table);
+    return status == MT_OK ? DONE : hints_fail(this->options, status, &error);
+}
+
 static int run(cli_options *options) {
     inspection this = {.options = options};
     int outcome = check(options), count = options->fonts[1] ? 2 : 1;
     for (int i = 0; outcome == DONE && i < count; i++) outcome = font_open(options->fonts[i], &this.fonts[i]);
     if (outcome == DONE) outcome = characters_choose(options, this.fonts, count, &this.chosen);
-    this.what =
-        (mt_inspection){this.chosen.list, this.chosen.count, options->size > 0 ? options->size : SIZE};
+    if (outcome == DONE) outcome = index_hints(&this, count);
+    this.what = (mt_inspection){.code_points = this.chosen.list,
+                                .count = this.chosen.count,
+                                .size = options->size > 0 ? options->size : SIZE,
+                                .hints = this.hints};
     if (outcome == DONE) outcome = write_output(&this);
     for (int i = 0; i < 2; i++) mt_font_close(this.fonts[i]);
     characters_free(&this.chosen);
+    mt_hint_index_free(this.hints);
     return outcome;
 }
 

@@ -21,7 +21,7 @@ typedef struct option_row {
 } option_row;
 
 /* The letters that every command takes stand in COMMON. */
-#define COMMON "fjqvhMTwrmsR"
+#define COMMON "fjqvhMTwrmsRH"
 
 static const option_row rows[] = {
     {'o', true, "output", "FILE", "the file to write"},
@@ -43,6 +43,7 @@ static const option_row rows[] = {
     {'m', false, "threshold", "X", "matches weaker than X times the best count as none (0 ... 1)"},
     {'s', false, "one-scale", NULL, "match pieces with one scale for both axes, as the paper prints it"},
     {'R', false, "rotate", "DEGREES|auto", "turn while blending; auto finds the angle of each glyph"},
+    {'H', false, "hints", "FILE", "which parts and places of both fonts' glyphs go together"},
     {'j', true, "jobs", "N", "threads (1 ... 1024); without it, one a core"},
     {'q', true, "quiet", NULL, "say nothing but errors"},
     {'v', true, "verbose", NULL, "say what is done"},
@@ -176,6 +177,7 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'p': return read_int(options, "rows", argument, 1, 10000, &options->rows);
     case 'l': return options->no_labels = true, GO_ON;
     case 'F': return read_family(options, argument);
+    case 'H': return options->hints_file = argument, GO_ON;
     case 'J': return options->json = true, GO_ON;
     case 'S': return options->strict = true, GO_ON;
     case 'q': return options->quiet = true, GO_ON;

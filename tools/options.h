@@ -13,6 +13,7 @@ typedef struct cli_options {
     int steps;              /* 0: not given */
     char *text;             /* UTF-8; the --text arguments, a line each; NULL: not given */
     const char *chars_file; /* NULL: not given */
+    const char *hints_file; /* NULL: not given */
     const char *family;     /* NULL: not given */
     double size;            /* 0: not given */
     int rows;               /* 0: not given */

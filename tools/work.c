@@ -2,6 +2,7 @@
 
 #include "characters_file.h"
 #include "geometry/memory.h"
+#include "hints_file.h"
 #include "messages.h"
 
 #include <errno.h>
@@ -203,9 +204,20 @@ static void explain(const cli_work *work) {
             mt_font_style(work->fonts[i]));
 }
 
+static int set_hints(cli_work *work) {
+    mt_hint_table *table;
+    mt_hint_error error;
+    int outcome = hints_read(work->options, work->fonts, 2, &table);
+    if (outcome != DONE) return outcome;
+    mt_status status = mt_blend_set_hints(work->blend, table, &error);
+    mt_hint_table_free(table);
+    return status == MT_OK ? DONE : hints_fail(work->options, status, &error);
+}
+
 static int make_blend(cli_work *work) {
     const cli_options *options = work->options;
     mt_status status = mt_blend_new(work->fonts[0], work->fonts[1], &options->params, &work->blend);
+    if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
     if (status == MT_OK && options->family) status = mt_blend_set_family(work->blend, options->family);
     if (status == MT_OK && work->chosen.count > 0)
         status = mt_blend_set_chars(work->blend, work->chosen.list, work->chosen.count);

@@ -1,4 +1,4 @@
-/* What blend, strip and sheet have in common: two fonts, the characters asked for, and a blend that reports
+/* What blend, strip, sheet and report have in common: two fonts, the characters asked for, and a blend that reports
  * on itself. */
 #ifndef WORK_H
 #define WORK_H

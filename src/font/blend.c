@@ -19,7 +19,8 @@
 struct mt_blend {
     mt_font *a, *b;
     mt_params params;
-    char *family; /* NULL: made from the sources' */
+    mt_hint_index *hints; /* NULL: none */
+    char *family;         /* NULL: made from the sources' */
     uint32_t *wanted;
     int wanted_count;
     mt_glyph_failed failed;
@@ -41,6 +42,7 @@ mt_status mt_blend_new(mt_font *a, mt_font *b, const mt_params *params, mt_blend
 
 void mt_blend_free(mt_blend *blend) {
     if (!blend) return;
+    mt_hint_index_free(blend->hints);
     mt_free(blend->family);
     mt_free(blend->wanted);
     mt_free(blend);
@@ -72,6 +74,19 @@ mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int c
     blend->wanted = copy;
     blend->wanted_count = count > 0 ? count : 0;
     return MT_OK;
+}
+
+mt_status mt_blend_set_hints(mt_blend *blend, const mt_hint_table *table, mt_hint_error *error) {
+    mt_hint_index *index = NULL;
+    mt_status status = table ? mt_hint_index_new(table, blend->a, blend->b, &index, error) : MT_OK;
+    if (status != MT_OK) return status;
+    mt_hint_index_free(blend->hints);
+    blend->hints = index;
+    return MT_OK;
+}
+
+const mt_hint_index *mt_blend_hints(const mt_blend *blend) {
+    return blend->hints;
 }
 
 int mt_blend_units_per_em(const mt_blend *blend) {
@@ -108,7 +123,8 @@ mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const m
     mt_arena arena = {0};
     mt_glyph_pair pair;
     mt_outline outline;
-    mt_status status = mt_glyph_pair_prepare(blend->a, blend->b, code_point, &blend->params, &arena, &pair);
+    mt_status status =
+        mt_glyph_pair_prepare(blend->a, blend->b, code_point, blend->hints, &blend->params, &arena, &pair);
     if (status == MT_OK)
         status = mt_morph_outline(&pair.morph, mt_weights_at(t), &blend->params, &arena, &outline);
     if (status == MT_OK) {
@@ -192,11 +208,12 @@ static void report_failure(mt_job *job, uint32_t code_point, mt_status why) {
 
 static mt_status do_glyph(mt_worker *worker, int glyph) {
     mt_pairing p = worker->job->charset->glyphs[glyph];
+    const mt_blend *blend = worker->job->blend;
+    mt_hints hints = mt_hint_index_find(blend->hints, p.a, p.b);
     mt_glyph_pair pair;
     mt_status status = read_sides(worker, p, &pair);
     if (status == MT_OK)
-        status =
-            mt_morph_prepare(&pair.a, &pair.b, NULL, &worker->job->blend->params, &worker->scratch, &pair.morph);
+        status = mt_morph_prepare(&pair.a, &pair.b, &hints, &blend->params, &worker->scratch, &pair.morph);
     if (status == MT_OK) status = blend_pair(worker, &pair, glyph);
     if (status == MT_OK || status == MT_NO_MEMORY) return status;
     if (glyph != 0) report_failure(worker->job, p.code_point, status); /* nobody asks for .notdef by name */

@@ -26,13 +26,14 @@ mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_are
     return status;
 }
 
-mt_status mt_glyph_pair_prepare(mt_font *a, mt_font *b, uint32_t code_point, const mt_params *params,
-                                mt_arena *arena, mt_glyph_pair *pair) {
+mt_status mt_glyph_pair_prepare(mt_font *a, mt_font *b, uint32_t code_point, const mt_hint_index *hints,
+                                const mt_params *params, mt_arena *arena, mt_glyph_pair *pair) {
     uint32_t in_a = mt_font_glyph(a, code_point), in_b = mt_font_glyph(b, code_point);
     if (!in_a || !in_b) return MT_NO_GLYPH;
+    mt_hints found = mt_hint_index_find(hints, in_a, in_b);
     mt_status status = mt_glyph_shape(a, in_a, params->tolerance, arena, &pair->a, &pair->advance_a);
     if (status == MT_OK)
         status = mt_glyph_shape(b, in_b, params->tolerance, arena, &pair->b, &pair->advance_b);
-    if (status == MT_OK) status = mt_morph_prepare(&pair->a, &pair->b, NULL, params, arena, &pair->morph);
+    if (status == MT_OK) status = mt_morph_prepare(&pair->a, &pair->b, &found, params, arena, &pair->morph);
     return status;
 }

@@ -3,6 +3,7 @@
 #define MT_PAIR_H
 
 #include "font/font.h"
+#include "font/hint_index.h"
 #include "font/write.h"
 #include "morph/morph.h"
 
@@ -20,10 +21,11 @@ mt_status mt_params_check(const mt_params *params);
 mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_arena *arena, mt_shape *shape,
                          double *advance);
 
-/* Reads the character from both fonts and prepares its morph; all in the arena. As mt_glyph_shape and
- * mt_morph_prepare; MT_NO_GLYPH when one font lacks it. */
-mt_status mt_glyph_pair_prepare(mt_font *a, mt_font *b, uint32_t code_point, const mt_params *params,
-                                mt_arena *arena, mt_glyph_pair *pair);
+/* Reads the character from both fonts and prepares its morph, by its hints in `hints` (unless NULL), an index
+ * for these two fonts; all in the arena. As mt_glyph_shape and mt_morph_prepare; MT_NO_GLYPH when one font
+ * lacks it. */
+mt_status mt_glyph_pair_prepare(mt_font *a, mt_font *b, uint32_t code_point, const mt_hint_index *hints,
+                                const mt_params *params, mt_arena *arena, mt_glyph_pair *pair);
 
 /* An outline as 'glyf' has it, in `units` to the em: outer contours clockwise, points on whole units, those
  * on the curve that lie midway between their neighbours implied. The advance is in grid units. MT_NO_MEMORY,

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "font/decimal.h"
 #include "geometry/memory.h"
 
 static bool is_digit(char c) {
@@ -58,32 +59,6 @@ static bool read_tag(const char **text, uint32_t *tag) {
     return read;
 }
 
-/* Reads a decimal number without exponent, the same in every locale, rounded to 16.16. */
-static bool read_value(const char **text, int32_t *value) {
-    const char *c = *text;
-    bool negative = *c == '-';
-    if (*c == '-' || *c == '+') c++;
-    const char *digits = c;
-    int64_t whole = 0, part = 0, scale = 1;
-    for (; is_digit(*c); c++)
-        if ((whole = 10 * whole + (*c - '0')) > INT16_MAX) return false;
-    size_t count = (size_t)(c - digits);
-    if (*c == '.') {
-        digits = ++c;
-        for (; is_digit(*c); c++) {
-            if (scale > 1000000000) continue; /* far below half of 1/65536 */
-            part = 10 * part + (*c - '0');
-            scale *= 10;
-        }
-        count += (size_t)(c - digits);
-    }
-    int64_t fixed = whole * 65536 + (part * 65536 + scale / 2) / scale;
-    if (count == 0 || fixed > INT32_MAX) return false;
-    *value = (int32_t)(negative ? -fixed : fixed);
-    *text = c;
-    return true;
-}
-
 static bool is_set(const mt_spec *spec, uint32_t tag) {
     for (int i = 0; i < spec->axis_count; i++)
         if (spec->axes[i].tag == tag) return true;
@@ -96,7 +71,7 @@ static bool read_axes(const char *text, mt_spec *spec) {
         mt_axis_setting axis;
         text++; /* the @, then each comma */
         if (spec->axis_count == MT_SPEC_AXES) return false;
-        if (!read_tag(&text, &axis.tag) || !read_value(&text, &axis.value)) return false;
+        if (!read_tag(&text, &axis.tag) || !mt_decimal_next(&text, &axis.value)) return false;
         if (is_set(spec, axis.tag)) return false;
         spec->axes[spec->axis_count++] = axis;
     } while (*text == ',');

@@ -30,6 +30,12 @@ static inline double mt_grid_units(double thousandths) {
  * 4 000 stops are past anything drawn. */
 #define MT_ALIGNMENT_MAX (1 << 24)
 
+/* A file of hints: bytes, hints in it, and hints for one glyph. A person sets some ten for a glyph, and needs them for a few
+ * hundred glyphs. */
+#define MT_HINT_FILE_MAX (1 << 24)
+#define MT_HINTS_MAX (1 << 18)
+#define MT_GLYPH_HINTS_MAX 256
+
 /* The most glyphs that a TrueType font can hold ('maxp' numGlyphs, uint16). */
 #define MT_GLYPHS_MAX 65535
 

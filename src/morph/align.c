@@ -61,23 +61,29 @@ mt_status mt_ring_stops(const mt_ring *ring, double chord, double least, mt_aren
 
 /* ---- what a step costs --------------------------------------------------------------------------------- */
 
-#define DIRECTION_PRICE 1.0 /* for headings that are opposite, both in and out */
-#define DISTANCE_PRICE 4.0  /* for stops as far apart as the box is wide or high */
-#define STARTS 4            /* stops of B that are tried for the start */
+static const mt_tariff tariff = {.direction = 3, .distance = 4, .corner = 1};
+
+#define PIN_PRICE 100.0F /* for a stop that a hint sends elsewhere */
+#define PIN_REACH 25.0   /* from a hint to the boundary that it is for, at most, 1/1000 em */
+#define STARTS 4         /* stops of B that are tried for the start */
 
 mt_view mt_view_of(const mt_stop *s, mt_box box) {
-    return (mt_view){(s->x - box.min.x) / mt_box_width(box),
-                     (s->y - box.min.y) / mt_box_height(box),
-                     cos(s->in),
-                     sin(s->in),
-                     cos(s->out),
-                     sin(s->out)};
+    return (mt_view){.x = (s->x - box.min.x) / mt_box_width(box),
+                     .y = (s->y - box.min.y) / mt_box_height(box),
+                     .in_x = cos(s->in),
+                     .in_y = sin(s->in),
+                     .out_x = cos(s->out),
+                     .out_y = sin(s->out),
+                     .turn_x = cos(s->out - s->in),
+                     .turn_y = sin(s->out - s->in)};
 }
 
-double mt_price(const mt_view *a, const mt_view *b) {
+double mt_price(const mt_tariff *t, const mt_view *a, const mt_view *b) {
     double same = a->in_x * b->in_x + a->in_y * b->in_y + a->out_x * b->out_x + a->out_y * b->out_y;
+    double alike = a->turn_x * b->turn_x + a->turn_y * b->turn_y;
     double dx = a->x - b->x, dy = a->y - b->y;
-    return DIRECTION_PRICE * (2 - same) / 4 + DISTANCE_PRICE * sqrt(dx * dx + dy * dy);
+    return t->direction * (2 - same) / 4 + t->distance * sqrt(dx * dx + dy * dy) +
+           t->corner * (1 - alike) / 2;
 }
 
 typedef struct mt_views {
@@ -107,28 +113,32 @@ typedef struct mt_grid {
 static void fill_prices(mt_grid *g, const mt_views *a, const mt_views *b) {
     for (int i = 0; i < g->n; i++)
         for (int j = 0; j < g->m; j++)
-            g->prices[(size_t)i * (size_t)g->m + (size_t)j] = (float)mt_price(&a->views[i], &b->views[j]);
+            g->prices[(size_t)i * (size_t)g->m + (size_t)j] =
+                (float)mt_price(&tariff, &a->views[i], &b->views[j]);
 }
 
 static float price_at(const mt_grid *g, int i, int j) {
     return g->prices[(size_t)i * (size_t)g->m + (size_t)j];
 }
 
-/* The least cost of a way from (start_a, start_b) once around both rings. */
+/* The least cost of a way from (start_a, start_b) once around both rings. A step by which both stops move on counts twice, so that
+ * all ways weigh the same, however many steps they have (H. Sakoe and S. Chiba, "Dynamic programming algorithm optimization
+ * for spoken word recognition", 1978, the symmetric form). */
 static double fill(mt_grid *g) {
     for (int i = 0; i <= g->n; i++) {
         const float *prices = g->prices + (size_t)((g->start_a + i) % g->n) * (size_t)g->m;
         uint8_t *moves = g->moves + (size_t)i * (size_t)(g->m + 1);
         double diagonal = INFINITY; /* the cost at (i - 1, j - 1) */
         for (int j = 0, k = g->start_b; j <= g->m; j++) {
-            double above = i > 0 ? g->row[j] + MT_WAIT_PRICE : INFINITY;
-            double left = j > 0 ? g->row[j - 1] + MT_WAIT_PRICE : INFINITY;
-            double best = i || j ? diagonal : 0;
+            double price = (double)prices[k];
+            double above = i > 0 ? g->row[j] + MT_WAIT_PRICE + price : INFINITY;
+            double left = j > 0 ? g->row[j - 1] + MT_WAIT_PRICE + price : INFINITY;
+            double best = i || j ? diagonal + 2 * price : price;
             moves[j] = BOTH;
             if (above < best) best = above, moves[j] = A_MOVES;
             if (left < best) best = left, moves[j] = B_MOVES;
             diagonal = i > 0 ? g->row[j] : INFINITY;
-            g->row[j] = best + (double)prices[k];
+            g->row[j] = best;
             k = k + 1 == g->m ? 0 : k + 1;
         }
     }
@@ -177,7 +187,19 @@ static void best_partners(const mt_grid *g, int i, int partners[STARTS]) {
     }
 }
 
-static mt_status start_grid(const mt_views *a, const mt_views *b, mt_arena *arena, mt_grid *grid) {
+/* A pinned stop goes with its counterpart and with no other. */
+static void pin(mt_grid *g, const mt_links *pins) {
+    for (int k = 0; k < pins->count; k++) {
+        mt_link p = pins->links[k];
+        for (int j = 0; j < g->m; j++)
+            if (j != p.b) g->prices[(size_t)p.a * (size_t)g->m + (size_t)j] += (float)PIN_PRICE;
+        for (int i = 0; i < g->n; i++)
+            if (i != p.a) g->prices[(size_t)i * (size_t)g->m + (size_t)p.b] += (float)PIN_PRICE;
+    }
+}
+
+static mt_status start_grid(const mt_views *a, const mt_views *b, const mt_links *pins, mt_arena *arena,
+                            mt_grid *grid) {
     size_t cells = ((size_t)a->count + 1) * ((size_t)b->count + 1);
     if (cells > MT_ALIGNMENT_MAX) return MT_TOO_LARGE;
     *grid = (mt_grid){.n = a->count,
@@ -187,17 +209,18 @@ static mt_status start_grid(const mt_views *a, const mt_views *b, mt_arena *aren
                       .moves = mt_arena_new(arena, cells, 1)};
     if (!grid->prices || !grid->row || !grid->moves) return MT_NO_MEMORY;
     fill_prices(grid, a, b);
+    pin(grid, pins);
     grid->start_a = surest_stop(grid);
     return MT_OK;
 }
 
-mt_status mt_align(const mt_stops *stops_a, mt_box box_a, const mt_stops *stops_b, mt_box box_b,
-                   mt_arena *arena, mt_alignment *alignment) {
+static mt_status align(const mt_stops *stops_a, mt_box box_a, const mt_stops *stops_b, mt_box box_b,
+                       const mt_links *pins, mt_arena *arena, mt_alignment *alignment) {
     mt_views a, b;
     mt_grid grid;
     mt_status status = views_of(stops_a, box_a, arena, &a);
     if (status == MT_OK) status = views_of(stops_b, box_b, arena, &b);
-    if (status == MT_OK) status = start_grid(&a, &b, arena, &grid);
+    if (status == MT_OK) status = start_grid(&a, &b, pins, arena, &grid);
     if (status != MT_OK) return status;
     mt_alignment made = {0, mt_arena_new(arena, (size_t)a.count + (size_t)b.count, sizeof(mt_link)),
                          INFINITY};
@@ -211,7 +234,61 @@ mt_status mt_align(const mt_stops *stops_a, mt_box box_a, const mt_stops *stops_
         made.cost = cost;
         read_back(&grid, &made);
     }
-    made.cost /= made.count;
+    made.cost /= a.count + b.count;
     *alignment = made;
+    return MT_OK;
+}
+
+/* ---- either way round ---------------------------------------------------------------------------------- */
+
+/* An order of rings that does not ask which of them is A's: < 0, 0, > 0. */
+static double compare(const mt_stops *p, const mt_stops *q) {
+    if (p->count != q->count) return p->count - q->count;
+    for (int i = 0; i < p->count; i++) {
+        if (p->stops[i].x != q->stops[i].x) return p->stops[i].x - q->stops[i].x;
+        if (p->stops[i].y != q->stops[i].y) return p->stops[i].y - q->stops[i].y;
+    }
+    return 0;
+}
+
+static void swap_all(mt_link *links, int count) {
+    for (int i = 0; i < count; i++) links[i] = (mt_link){links[i].b, links[i].a};
+}
+
+mt_status mt_align(const mt_stops *a, mt_box box_a, const mt_stops *b, mt_box box_b, const mt_links *pins,
+                   mt_arena *arena, mt_alignment *alignment) {
+    if (compare(a, b) <= 0) return align(a, box_a, b, box_b, pins, arena, alignment);
+    mt_links swapped = {pins->count, mt_arena_new(arena, (size_t)pins->count, sizeof(mt_link))};
+    if (!swapped.links) return MT_NO_MEMORY;
+    for (int i = 0; i < pins->count; i++) swapped.links[i] = (mt_link){pins->links[i].b, pins->links[i].a};
+    mt_status status = align(b, box_b, a, box_a, &swapped, arena, alignment);
+    if (status == MT_OK) swap_all(alignment->steps, alignment->count);
+    return status;
+}
+
+/* ---- pins ---------------------------------------------------------------------------------------------- */
+
+static int nearest_stop(const mt_stops *stops, mt_point place, double *least) {
+    int nearest = 0;
+    *least = INFINITY;
+    for (int i = 0; i < stops->count; i++) {
+        double distance = hypot(stops->stops[i].x - place.x, stops->stops[i].y - place.y);
+        if (distance >= *least) continue;
+        *least = distance;
+        nearest = i;
+    }
+    return nearest;
+}
+
+mt_status mt_pins_of(const mt_hints *hints, const mt_stops *a, const mt_stops *b, mt_arena *arena,
+                     mt_links *pins) {
+    *pins = (mt_links){0, mt_arena_new(arena, (size_t)hints->count, sizeof(mt_link))};
+    if (!pins->links) return MT_NO_MEMORY;
+    for (int i = 0; i < hints->count; i++) {
+        if (hints->hints[i].kind != MT_HINT_POINT) continue;
+        double in_a, in_b;
+        mt_link pin = {nearest_stop(a, hints->hints[i].a, &in_a), nearest_stop(b, hints->hints[i].b, &in_b)};
+        if (fmax(in_a, in_b) <= mt_grid_units(PIN_REACH)) pins->links[pins->count++] = pin;
+    }
     return MT_OK;
 }

@@ -31,12 +31,19 @@ mt_status mt_ring_stops(const mt_ring *ring, double chord, double least, mt_aren
 typedef struct mt_view {
     double x, y;
     double in_x, in_y, out_x, out_y;
+    double turn_x, turn_y; /* the direction out, relative to the direction in */
 } mt_view;
 
 mt_view mt_view_of(const mt_stop *stop, mt_box box);
 
-/* What it costs that two stops go with each other: how far apart they are and how much their headings differ, in and out. */
-double mt_price(const mt_view *a, const mt_view *b);
+/* What it costs that two stops go with each other. */
+typedef struct mt_tariff {
+    double direction; /* for headings that are opposite, both in and out */
+    double distance;  /* for places as far apart as the box is wide or high */
+    double corner;    /* for a corner that turns about one way with one that turns about the other */
+} mt_tariff;
+
+double mt_price(const mt_tariff *tariff, const mt_view *a, const mt_view *b);
 
 /* What it costs beside that one stop moves on while the other waits. */
 #define MT_WAIT_PRICE 0.02
@@ -51,8 +58,13 @@ typedef struct mt_alignment {
 
 /* The alignment of least cost, by cyclic dynamic programming: a step costs by how far apart its two stops
  * are, each relative to its own glyph's box, and by how much their headings differ, in and out, so that
- * corners go to corners. O(n m). MT_NO_MEMORY, MT_TOO_LARGE. */
-mt_status mt_align(const mt_stops *a, mt_box box_a, const mt_stops *b, mt_box box_b, mt_arena *arena,
-                   mt_alignment *alignment);
+ * corners go to corners. The stops of a pin go with each other. The same whichever of the rings is A's. O(n m).
+ * MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_align(const mt_stops *a, mt_box box_a, const mt_stops *b, mt_box box_b, const mt_links *pins,
+                   mt_arena *arena, mt_alignment *alignment);
+
+/* The pins that hints ask for on two rings: those whose places lie near both. MT_NO_MEMORY. */
+mt_status mt_pins_of(const mt_hints *hints, const mt_stops *a, const mt_stops *b, mt_arena *arena,
+                     mt_links *pins);
 
 #endif

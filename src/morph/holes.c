@@ -85,8 +85,10 @@ static mt_status pair(mt_joining *j, mt_hole_pairs *pairs) {
     pairs->in_b = mt_arena_new(j->arena, (size_t)a.count + 1, sizeof(int));
     pairs->in_a = mt_arena_new(j->arena, (size_t)b.count + 1, sizeof(int));
     if (!pairs->in_b || !pairs->in_a) return MT_NO_MEMORY;
-    status = mt_pair_rings(&a, &b, mt_grid_units(j->params->tolerance), j->arena, pairs->in_b + 1,
-                           pairs->in_a + 1);
+    for (int i = 1; i <= a.count; i++) pairs->in_b[i] = -1;
+    for (int i = 1; i <= b.count; i++) pairs->in_a[i] = -1;
+    double chord = mt_grid_units(j->params->tolerance);
+    status = mt_pair_rings(&a, &b, INFINITY, chord, j->arena, pairs->in_b + 1, pairs->in_a + 1);
     for (int i = 1; i <= a.count; i++) pairs->in_b[i]++;
     for (int i = 1; i <= b.count; i++) pairs->in_a[i]++;
     return status;

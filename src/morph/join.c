@@ -18,11 +18,13 @@
 
 static mt_status join_rings(const mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters) {
     mt_stops a, b;
+    mt_links pins;
     mt_alignment alignment;
     double chord = mt_grid_units(j->params->tolerance);
     mt_status status = mt_ring_stops(p, chord, STOPS_A_RING, j->arena, &a);
     if (status == MT_OK) status = mt_ring_stops(q, chord, STOPS_A_RING, j->arena, &b);
-    if (status == MT_OK) status = mt_align(&a, j->a.box, &b, j->b.box, j->arena, &alignment);
+    if (status == MT_OK) status = mt_pins_of(j->hints, &a, &b, j->arena, &pins);
+    if (status == MT_OK) status = mt_align(&a, j->a.box, &b, j->b.box, &pins, j->arena, &alignment);
     if (status != MT_OK) return status;
     return mt_masters_fit(&a, &b, &alignment, mt_grid_units(j->params->fit), j->arena, masters);
 }
@@ -120,9 +122,9 @@ static mt_status join_all(mt_joining *j, mt_masters *contours, int *count) {
     return status;
 }
 
-mt_status mt_join(mt_part a, mt_part b, const mt_params *params, mt_arena *arena, mt_masters *contours,
-                  int *count) {
-    mt_joining j = {a, b, params, arena};
+mt_status mt_join(mt_part a, mt_part b, const mt_hints *hints, const mt_params *params, mt_arena *arena,
+                  mt_masters *contours, int *count) {
+    mt_joining j = {a, b, hints, params, arena};
     mt_point by;
     if (is_moved(a.component, b.component, &by)) return join_alike(&j, by, contours, count);
     int before = *count;

@@ -13,6 +13,7 @@ typedef struct mt_part {
 /* Two parts on their way to each other, and what it takes. */
 typedef struct mt_joining {
     mt_part a, b;
+    const mt_hints *hints;
     const mt_params *params;
     mt_arena *arena;
 } mt_joining;
@@ -21,7 +22,7 @@ typedef struct mt_joining {
  * A hole without a counterpart is slit open, or closes to a point inside the other part's ink. Appends to contours[*count]
  * at most as many contours as both have rings; none when the half-way contours would lie too much over themselves or each
  * other. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
-mt_status mt_join(mt_part a, mt_part b, const mt_params *params, mt_arena *arena, mt_masters *contours,
-                  int *count);
+mt_status mt_join(mt_part a, mt_part b, const mt_hints *hints, const mt_params *params, mt_arena *arena,
+                  mt_masters *contours, int *count);
 
 #endif

@@ -6,6 +6,7 @@
 
 typedef struct mt_loom {
     mt_morph *morph;
+    const mt_hints *hints;
     const mt_params *params;
     mt_arena *arena;
 } mt_loom;
@@ -35,8 +36,8 @@ static mt_status start(mt_loom *loom) {
 static mt_status join_match(mt_loom *loom, mt_link match) {
     mt_morph *m = loom->morph;
     int before = m->contour_count;
-    mt_status status = mt_join(part_of(&m->a, match.a), part_of(&m->b, match.b), loom->params, loom->arena,
-                               m->contours, &m->contour_count);
+    mt_status status = mt_join(part_of(&m->a, match.a), part_of(&m->b, match.b), loom->hints, loom->params,
+                               loom->arena, m->contours, &m->contour_count);
     if (m->contour_count > before) m->a.aligned[match.a] = m->b.aligned[match.b] = true;
     return status;
 }
@@ -108,7 +109,7 @@ static mt_status join_rest(mt_loom *loom, const mt_cut_side *cut, bool in_a) {
 static mt_status join_cut(mt_loom *loom) {
     mt_morph *m = loom->morph;
     mt_cut_side a, b;
-    mt_status status = mt_reconcile(&m->a, &m->b, loom->params, loom->arena, &a, &b);
+    mt_status status = mt_reconcile(&m->a, &m->b, loom->hints, loom->params, loom->arena, &a, &b);
     if (status != MT_OK) return status;
     m->a.shape = a.shares;
     m->b.shape = b.shares;
@@ -122,8 +123,8 @@ static mt_status join_cut(mt_loom *loom) {
     return status;
 }
 
-mt_status mt_joint(mt_morph *morph, const mt_params *params, mt_arena *arena) {
-    mt_loom loom = {morph, params, arena};
+mt_status mt_joint(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
+    mt_loom loom = {morph, hints, params, arena};
     bool joined = false;
     mt_status status = start(&loom);
     if (status == MT_OK) status = join_plain(&loom, &joined);

@@ -83,9 +83,9 @@ static mt_status turn_b(mt_morph *morph, const mt_params *params, mt_arena *aren
 /* ---- the joint method ---------------------------------------------------------------------------------- */
 
 /* What the joint method cannot take, the paper's own still can. */
-static mt_status join(mt_morph *morph, const mt_params *params, mt_arena *arena) {
+static mt_status join(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
     mt_morph joined = *morph;
-    mt_status status = mt_joint(&joined, params, arena);
+    mt_status status = mt_joint(&joined, hints, params, arena);
     if (status == MT_TOO_LARGE || status == MT_BAD_GEOMETRY) return MT_OK;
     if (status == MT_OK) *morph = joined;
     return status;
@@ -95,14 +95,14 @@ static mt_status join(mt_morph *morph, const mt_params *params, mt_arena *arena)
 
 mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints *hints,
                            const mt_params *params, mt_arena *arena, mt_morph *morph) {
-    (void)hints;
     mt_morph made = {.a = {.whole = *a, .shape = *a, .box = mt_shape_box(a)},
                      .b = {.whole = *b, .shape = *b, .box = mt_shape_box(b)}};
     if ((a->count == 0) != (b->count == 0)) return MT_NO_COUNTERPART;
     if (a->count > MT_COMPONENTS_MAX || b->count > MT_COMPONENTS_MAX) return MT_TOO_LARGE;
     mt_status status = a->count ? turn_b(&made, params, arena) : MT_OK;
     if (status == MT_OK && a->count) status = match_components(&made, params, arena);
-    if (status == MT_OK && a->count && params->method == MT_METHOD_JOINT) status = join(&made, params, arena);
+    if (status == MT_OK && a->count && params->method == MT_METHOD_JOINT)
+        status = join(&made, hints ? hints : &(mt_hints){0}, params, arena);
     if (status == MT_OK) status = decompose_all(&made.a, arena);
     if (status == MT_OK) status = decompose_all(&made.b, arena);
     if (status == MT_OK)

@@ -3,8 +3,7 @@
 #include <math.h>
 
 #define STOPS 60.0      /* places along a ring that are compared, at least */
-#define APART_MOST 0.35 /* how far the middles of two rings may be apart, in boxes … */
-#define PRICE_MOST 0.7  /* … and what aligning them may cost */
+#define APART_MOST 0.35 /* how far the middles of two rings may be apart, in boxes */
 
 /* How far the middles of two rings are apart, each relative to its glyph's box. */
 static double apart(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q) {
@@ -23,7 +22,7 @@ mt_status mt_pair_price(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box
     mt_alignment alignment;
     mt_status status = mt_ring_stops(p, chord, STOPS, arena, &a);
     if (status == MT_OK) status = mt_ring_stops(q, chord, STOPS, arena, &b);
-    if (status == MT_OK) status = mt_align(&a, box_p, &b, box_q, arena, &alignment);
+    if (status == MT_OK) status = mt_align(&a, box_p, &b, box_q, &(mt_links){0}, arena, &alignment);
     if (status == MT_OK) *price = alignment.cost;
     mt_arena_rewind(arena, before);
     return status;
@@ -34,8 +33,8 @@ typedef struct mt_prices {
     double *prices; /* rows × columns; INFINITY for what may not be paired */
 } mt_prices;
 
-static mt_status price_all(const mt_ring_list *a, const mt_ring_list *b, double chord, mt_arena *arena,
-                           mt_prices *p) {
+static mt_status price_all(const mt_ring_list *a, const mt_ring_list *b, double most, double chord,
+                           mt_arena *arena, mt_prices *p) {
     *p = (mt_prices){a->count, b->count, NULL};
     p->prices = mt_arena_new(arena, (size_t)a->count * (size_t)b->count, sizeof *p->prices);
     if (!p->prices) return MT_NO_MEMORY;
@@ -46,7 +45,7 @@ static mt_status price_all(const mt_ring_list *a, const mt_ring_list *b, double 
             *price = INFINITY;
             if (apart(a->rings[i], a->box, b->rings[j], b->box) > APART_MOST) continue;
             status = mt_pair_price(a->rings[i], a->box, b->rings[j], b->box, chord, arena, price);
-            if (*price > PRICE_MOST) *price = INFINITY;
+            if (*price > most) *price = INFINITY;
         }
     return status;
 }
@@ -65,13 +64,11 @@ static bool cheapest(const mt_prices *p, const int *partner_a, const int *partne
     return least < INFINITY;
 }
 
-mt_status mt_pair_rings(const mt_ring_list *a, const mt_ring_list *b, double chord, mt_arena *arena,
-                        int *partner_a, int *partner_b) {
-    for (int i = 0; i < a->count; i++) partner_a[i] = -1;
-    for (int j = 0; j < b->count; j++) partner_b[j] = -1;
+mt_status mt_pair_rings(const mt_ring_list *a, const mt_ring_list *b, double most, double chord,
+                        mt_arena *arena, int *partner_a, int *partner_b) {
     if (a->count == 0 || b->count == 0) return MT_OK;
     mt_prices prices;
-    mt_status status = price_all(a, b, chord, arena, &prices);
+    mt_status status = price_all(a, b, most, chord, arena, &prices);
     if (status != MT_OK) return status;
     for (int i, j; cheapest(&prices, partner_a, partner_b, &i, &j);) {
         partner_a[i] = j;

@@ -4,11 +4,15 @@
 
 #include "geometry/limits.h"
 #include "morph/cut.h"
+#include "morph/place.h"
 #include "morph/pairing.h"
 #include "morph/walk.h"
 
 #define STEP 12.0   /* between stops, 1/1000 em */
 #define REACH 300.0 /* of a bridge, 1/1000 em */
+
+/* What aligning two shares may cost (pairing.h) for them to go together. */
+#define PARTNER_MOST 1.3
 
 /* One side on its way. */
 typedef struct mt_bank {
@@ -153,12 +157,23 @@ static mt_status outer_rings(const mt_bank *bank, mt_arena *arena, mt_ring_list 
     return MT_OK;
 }
 
-static mt_status pair_shares(mt_bank *banks, double chord, mt_arena *arena) {
-    mt_ring_list a, b;
-    mt_status status = outer_rings(&banks[0], arena, &a);
-    if (status == MT_OK) status = outer_rings(&banks[1], arena, &b);
+static mt_status pair_shares(mt_bank *banks, const mt_hints *hints, double chord, mt_arena *arena) {
+    mt_cut_side *a = &banks[0].made, *b = &banks[1].made;
+    mt_ring_list in_a, in_b;
+    mt_status status = outer_rings(&banks[0], arena, &in_a);
+    if (status == MT_OK) status = outer_rings(&banks[1], arena, &in_b);
     if (status != MT_OK) return status;
-    return mt_pair_rings(&a, &b, chord, arena, banks[0].made.partner, banks[1].made.partner);
+    for (int i = 0; i < a->shares.count; i++) a->partner[i] = -1;
+    for (int i = 0; i < b->shares.count; i++) b->partner[i] = -1;
+    for (int i = 0; i < hints->count; i++) {
+        if (hints->hints[i].kind != MT_HINT_COMPONENT) continue;
+        int p = mt_component_at(&a->shares, hints->hints[i].a),
+            q = mt_component_at(&b->shares, hints->hints[i].b);
+        if (a->partner[p] >= 0 || b->partner[q] >= 0) continue;
+        a->partner[p] = q;
+        b->partner[q] = p;
+    }
+    return mt_pair_rings(&in_a, &in_b, PARTNER_MOST, chord, arena, a->partner, b->partner);
 }
 
 /* ---- cuts that do not help ------------------------------------------------------------------------------------------------- */
@@ -264,8 +279,8 @@ static mt_status find_cuts(mt_bank *banks, mt_arena *arena) {
     return status;
 }
 
-mt_status mt_reconcile(const mt_side *a, const mt_side *b, const mt_params *params, mt_arena *arena,
-                       mt_cut_side *cut_a, mt_cut_side *cut_b) {
+mt_status mt_reconcile(const mt_side *a, const mt_side *b, const mt_hints *hints, const mt_params *params,
+                       mt_arena *arena, mt_cut_side *cut_a, mt_cut_side *cut_b) {
     mt_bank banks[2] = {0};
     double chord = mt_grid_units(params->tolerance);
     mt_status status = start_bank(a, chord, arena, &banks[0]);
@@ -274,7 +289,7 @@ mt_status mt_reconcile(const mt_side *a, const mt_side *b, const mt_params *para
     bool changed = true;
     while (status == MT_OK && changed) {
         for (int s = 0; status == MT_OK && s < 2; s++) status = cut_all(&banks[s], arena);
-        if (status == MT_OK) status = pair_shares(banks, chord, arena);
+        if (status == MT_OK) status = pair_shares(banks, hints, chord, arena);
         if (status == MT_OK) status = take_back(banks, chord, arena, &changed);
     }
     if (status != MT_OK) return status;

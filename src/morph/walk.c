@@ -4,6 +4,9 @@
 
 #include "geometry/limits.h"
 
+/* A walker minds the distance more than one who only aligns (align.c), since it has the choice of all rings. */
+static const mt_tariff tariff = {.direction = 1, .distance = 4, .corner = 0};
+
 /* How a cell was reached. From a bridge on, it is the bridge's number. */
 enum { START, STAY, BOTH, ALONG, BRIDGE };
 
@@ -26,7 +29,7 @@ static int32_t *row_of(const mt_walker *w, int i) {
 
 static void price_row(mt_walker *w, int i) {
     const mt_view *here = &w->from->views[w->first + (w->start + i) % w->n];
-    for (int j = 0; j < w->to->count; j++) w->price[j] = (float)mt_price(here, &w->to->views[j]);
+    for (int j = 0; j < w->to->count; j++) w->price[j] = (float)mt_price(&tariff, here, &w->to->views[j]);
 }
 
 /* Along the rings of the border, while the ring's walker waits. */
@@ -142,7 +145,7 @@ static mt_pace surest(const mt_walker *w, const mt_pace *paces, int count) {
     mt_pace best = paces[0];
     double least = INFINITY;
     for (int k = 0; k < count; k++) {
-        double price = mt_price(&w->from->views[paces[k].here], &w->to->views[paces[k].there]);
+        double price = mt_price(&tariff, &w->from->views[paces[k].here], &w->to->views[paces[k].there]);
         if (price >= least) continue;
         least = price;
         best = paces[k];

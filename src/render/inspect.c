@@ -257,7 +257,7 @@ static mt_status draw_views(cairo_t *cairo, mt_font *a, mt_font *b, const mt_par
     for (int i = 0; status == MT_OK && i < what->count; i++) {
         mt_view view;
         mt_arena_reset(&arena);
-        status = mt_view_prepare(a, b, what->code_points[i], params, &arena, &view);
+        status = mt_view_prepare(a, b, what->code_points[i], what->hints, params, &arena, &view);
         if (status != MT_OK && failed) *failed = what->code_points[i];
         double top = MARGIN * what->size + i * row_height(what->size);
         if (status == MT_OK) status = draw_view(cairo, &view, what->size, top, &arena);

@@ -179,7 +179,7 @@ static mt_status add_glyphs(mt_json *json, mt_font *a, mt_font *b, const mt_para
     for (int i = 0; status == MT_OK && i < what->count; i++) {
         mt_view view;
         mt_arena_reset(&arena);
-        status = mt_view_prepare(a, b, what->code_points[i], params, &arena, &view);
+        status = mt_view_prepare(a, b, what->code_points[i], what->hints, params, &arena, &view);
         if (status == MT_OK)
             add_view(json, &view);
         else if (failed)

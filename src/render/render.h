@@ -4,6 +4,7 @@
 #ifndef MT_RENDER_H
 #define MT_RENDER_H
 
+#include "font/hint_index.h"
 #include "morphotype.h"
 
 /* What a picture may be asked for; beyond it is MT_BAD_PARAMETER. */
@@ -52,7 +53,8 @@ mt_status mt_sheet_save(mt_blend *blend, const mt_sheet *sheet, const char *path
 typedef struct mt_inspection {
     const uint32_t *code_points;
     int count;
-    double size; /* pixels or points an em */
+    double size;                /* pixels or points an em */
+    const mt_hint_index *hints; /* for both fonts; NULL: none */
 } mt_inspection;
 
 /* Per character: both sides, components by colour, pieces outlined, links drawn between the pieces' centres.

@@ -39,11 +39,11 @@ static mt_status prepare_one(mt_font *font, uint32_t code_point, const mt_params
     return status == MT_OK ? decompose(&pair->a, arena, &pair->morph.a) : status;
 }
 
-mt_status mt_view_prepare(mt_font *a, mt_font *b, uint32_t code_point, const mt_params *params,
-                          mt_arena *arena, mt_view *view) {
+mt_status mt_view_prepare(mt_font *a, mt_font *b, uint32_t code_point, const mt_hint_index *hints,
+                          const mt_params *params, mt_arena *arena, mt_view *view) {
     *view = (mt_view){.code_point = code_point, .paired = b};
     mt_status status = mt_params_check(params);
     if (status != MT_OK) return status;
     if (!b) return prepare_one(a, code_point, params, arena, &view->pair);
-    return mt_glyph_pair_prepare(a, b, code_point, params, arena, &view->pair);
+    return mt_glyph_pair_prepare(a, b, code_point, hints, params, arena, &view->pair);
 }

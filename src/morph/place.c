@@ -1,0 +1,42 @@
+#include "morph/place.h"
+
+#include <math.h>
+
+static double to_edge(mt_point p, mt_point a, mt_point b) {
+    double length2 = (double)mt_distance2(a, b),
+           along = length2 > 0 ? (double)mt_dot(a, b, a, p) / length2 : 0;
+    double t = fmin(1, fmax(0, along));
+    return hypot(p.x - a.x - t * ((double)b.x - a.x), p.y - a.y - t * ((double)b.y - a.y));
+}
+
+/* Whether an edge is crossed by the ray from p to the right. */
+static bool crosses(mt_point p, mt_point a, mt_point b) {
+    if ((a.y <= p.y) == (b.y <= p.y)) return false;
+    return (mt_orient(a, b, p) > 0) == (b.y > a.y);
+}
+
+/* The distance from a place to a component's ink, grid units; 0 inside. */
+static double to_ink(const mt_component *component, mt_point p) {
+    double least = INFINITY;
+    bool inside = false;
+    for (int r = 0; r < component->count; r++)
+        for (int i = 0; i < component->rings[r].count; i++) {
+            mt_point a = component->rings[r].points[i];
+            mt_point b = component->rings[r].points[(i + 1) % component->rings[r].count];
+            least = fmin(least, to_edge(p, a, b));
+            inside ^= crosses(p, a, b);
+        }
+    return inside ? 0 : least;
+}
+
+int mt_component_at(const mt_shape *shape, mt_point place) {
+    int nearest = 0;
+    double least = INFINITY;
+    for (int k = 0; k < shape->count; k++) {
+        double distance = to_ink(&shape->components[k], place);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = k;
+    }
+    return nearest;
+}

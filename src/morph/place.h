@@ -1,0 +1,10 @@
+/* Which part of a shape a place is in, or nearest to: how hints find what they mean. */
+#ifndef MT_PLACE_H
+#define MT_PLACE_H
+
+#include "geometry/ring.h"
+
+/* The component whose ink holds a place, or comes nearest to it. The shape is not empty. */
+int mt_component_at(const mt_shape *shape, mt_point place);
+
+#endif

@@ -1,0 +1,242 @@
+"""morphotype report: its data against themselves and against inspect; its page as any browser would read it."""
+
+import html.parser
+import json
+import unittest
+
+import cli
+
+FLAGS = ['failed', 'components', 'holes', 'ink', 'points', 'kinks', 'crumbs']
+COUNTS = {'components', 'holes', 'crumbs', 'ink'}
+
+
+def has_flag(glyph, *names):
+    return any(flag['flag'] in names for flag in glyph['flags'])
+
+
+class Data(cli.Test):
+    """-o x.json"""
+
+    def report(self, *arguments, fonts=(cli.SANS_BOLD, cli.SERIF)):
+        self.assertEqual(self.made('report', *fonts, '-o', 'x.json', *arguments), [])
+        data = json.loads(self.path('x.json').read_bytes())
+        self.assertEqual((data['format'], data['version']), ('morphotype report', 1))
+        self.check(data)
+        return data
+
+    def check(self, data):
+        glyphs, summary = data['glyphs'], data['summary']
+        self.assertEqual(data['at'], [step / 8 for step in range(9)])
+        self.assertEqual(summary['glyphs'], len(glyphs))
+        self.assertEqual(summary['flagged'], sum(bool(glyph['flags']) for glyph in glyphs))
+        self.assertEqual(summary['failed'], sum(has_flag(glyph, 'failed') for glyph in glyphs))
+        for method in ('aligned', 'linked', 'both'):
+            self.assertEqual(summary[method], sum(glyph.get('method') == method for glyph in glyphs))
+        for share, names in (('counts_in_range', ('components', 'holes')), ('ink_in_range', ('ink',))):
+            inside = sum(not has_flag(glyph, 'failed', *names) for glyph in glyphs)
+            self.assertAlmostEqual(summary[share], inside / len(glyphs), places=8)
+        order = [(not glyph['flags'], -glyph['severity'], glyph['code_point']) for glyph in glyphs]
+        self.assertEqual(order, sorted(order))
+        for glyph in glyphs:
+            self.check_glyph(glyph, data['limits'])
+
+    def check_glyph(self, glyph, limits):
+        names = [flag['flag'] for flag in glyph['flags']]
+        self.assertEqual(names, [flag for flag in FLAGS if flag in names])
+        self.assertEqual(glyph['severity'] > 0, bool(names))
+        self.assertEqual(ord(glyph['character']), glyph['code_point'])
+        if 'failed' in names:
+            self.assertNotIn('method', glyph)
+            return
+        ends, between = (glyph['a'], glyph['b']), glyph['between']
+        self.assertEqual([set(place) for place in between], [COUNTS] * 9)
+        for name in ('components', 'holes'):
+            least, most = sorted(end[name] for end in ends)
+            self.assertEqual(name in names, any(not least <= place[name] <= most for place in between), glyph)
+        crumbs = max(place['crumbs'] for place in between) > max(end['crumbs'] for end in ends)
+        self.assertEqual('crumbs' in names, crumbs)
+        least, most = sorted(end['ink'] for end in ends)
+        out = [max(place['ink'] - most, least - place['ink']) / most for place in between] if most else [0]
+        self.assertEqual('ink' in names, max(out) > limits['ink'])
+        points = max(end['points'] for end in ends)
+        limit = limits['points_times'] * points + limits['points_more']
+        self.assertEqual('points' in names, glyph['half']['points'] > limit)
+        limit = limits['kinks'] + points // limits['kinks_points']
+        self.assertEqual('kinks' in names, glyph['half']['kinks'] > limit)
+
+    def test_latin(self):
+        data = self.report('--text', 'oiHB%& ')
+        self.assertEqual(data['a'], {'font': str(cli.SANS_BOLD), 'family': 'DejaVu Sans', 'style': 'Bold'})
+        self.assertEqual(data['method'], 'joint')
+        glyphs = {glyph['character']: glyph for glyph in data['glyphs']}
+        self.assertEqual(set(glyphs), set('oiHB%& '))
+        for character, components, holes in (('o', 1, 1), ('i', 2, 0), ('B', 1, 2), ('%', 3, 2), (' ', 0, 0)):
+            for place in glyphs[character]['between'] + [glyphs[character]['a'], glyphs[character]['b']]:
+                self.assertEqual((place['components'], place['holes']), (components, holes), character)
+        self.assertFalse(has_flag(glyphs['H'], *FLAGS))
+
+    def test_ink_of_the_ends_is_that_of_the_glyphs(self):
+        report = {glyph['character']: glyph for glyph in self.report('--text', 'oRg')['glyphs']}
+        inspection = json.loads(self.run_program('inspect', cli.SANS_BOLD, cli.SERIF, '--text', 'oRg', '--json').stdout)
+        for glyph in inspection['glyphs']:
+            measured = report[glyph['character']]
+            for key, place in (('a', 0), ('b', 8)):
+                self.assertAlmostEqual(measured[key]['ink'], glyph[key]['area'], places=8)
+                self.assertAlmostEqual(measured['between'][place]['ink'], glyph[key]['area'], delta=1e-3)
+
+    def test_the_method_of_the_paper(self):
+        data = self.report('--text', 'Rg', '--method', 'paper')
+        self.assertEqual((data['method'], data['summary']['linked']), ('paper', 2))
+
+    def test_the_worst_come_first(self):
+        data = self.report('--text', '一形永', '--method', 'paper', fonts=(cli.ZENHEI, cli.UKAI))
+        self.assertGreaterEqual(data['summary']['flagged'], 1)
+        self.assertEqual(data['glyphs'][-1]['character'], '一')
+
+    def test_a_failed_glyph_is_the_worst(self):
+        font = cli.cut_font(self.path('cut.ttf'), 'ABC', blank='B')
+        data = self.report('--text', 'ABC', fonts=(cli.SANS_BOLD, font))
+        self.assertEqual((data['summary']['failed'], data['glyphs'][0]['character']), (1, 'B'))
+        self.assertIn('blank', data['glyphs'][0]['flags'][0]['reason'])
+
+    def test_a_whole_font(self):
+        font = cli.cut_font(self.path('cut.ttf'), 'ABCé')
+        self.made('report', font, font, '-o', 'x.json', '-q')
+        data = json.loads(self.path('x.json').read_bytes())
+        self.check(data)
+        self.assertEqual([glyph['character'] for glyph in data['glyphs']], list('ABCé'))
+        self.assertEqual(data['summary']['flagged'], 0)
+
+    def test_characters_in_one_font_only_are_left_out(self):
+        said = self.made('report', cli.SANS_BOLD, cli.SERIF, '-o', 'x.json', '--chars', self.write('chars', 'A 形'))
+        self.assertEqual(said, ['morphotype: 1 character not in both fonts, left out: U+5F62'])
+
+    def test_same_bytes_on_any_number_of_threads(self):
+        for form in ('json', 'html'):
+            outputs = set()
+            for threads in (1, 2, 5):
+                self.made('report', cli.SANS_BOLD, cli.SERIF, '--text', 'RgaxyQ&@', '-j', threads, '-o', 'x.' + form)
+                outputs.add(self.path('x.' + form).read_bytes())
+            self.assertEqual(len(outputs), 1)
+
+
+class Reader(html.parser.HTMLParser):
+    """Elements that are open, all start tags, and the text outside of the style."""
+
+    VOID = {'meta', 'br'}
+
+    def __init__(self, page):
+        super().__init__()
+        self.open, self.tags, self.text = [], [], ''
+        self.feed(page)
+        self.close()
+        assert not self.open, self.open
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append((tag, dict(attrs)))
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        self.tags.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag, tag
+
+    def handle_data(self, data):
+        if self.open and self.open[-1] != 'style':
+            self.text += data
+
+    def count(self, tag):
+        return sum(name == tag for name, _ in self.tags)
+
+
+class Page(cli.Test):
+    """-o x.html"""
+
+    def page(self, *arguments, fonts=(cli.SANS_BOLD, cli.SERIF)):
+        self.assertEqual(self.made('report', *fonts, '-o', 'x.html', *arguments), [])
+        return Reader(self.path('x.html').read_text(encoding='utf-8'))
+
+    def test_it_stands_alone(self):
+        page = self.page('--text', 'Rgxy&', '--method', 'paper')
+        self.assertFalse({tag for tag, _ in page.tags} & {'script', 'link', 'img', 'iframe', 'object', 'base'})
+        for _, attributes in page.tags:
+            self.assertFalse(set(attributes) & {'src', 'href', 'onload', 'onclick'})
+        source = self.path('x.html').read_text(encoding='utf-8')
+        for part in ('url(', '@import', 'http:', 'https:'):
+            self.assertNotIn(part, source)
+        self.assertIn('prefers-color-scheme:dark', source)
+        self.assertIn('name="viewport"', source)
+
+    def test_flagged_glyphs_have_strips(self):
+        arguments, fonts = ('--text', '一形國永', '--method', 'paper'), (cli.ZENHEI, cli.UKAI)
+        page = self.page(*arguments, fonts=fonts)
+        self.made('report', *fonts, '-o', 'x.json', *arguments)
+        data = json.loads(self.path('x.json').read_bytes())
+        flagged = data['summary']['flagged']
+        self.assertTrue(0 < flagged)
+        self.assertEqual((page.count('svg'), page.count('path')), (9 * flagged, 9 * flagged))
+        for tag, attributes in page.tags:
+            if tag == 'path':
+                self.assertRegex(attributes['d'], r'^(M-?\d+[ -]\d+([lq][-\d ]+)+z)+$')
+        for glyph in data['glyphs']:
+            self.assertIn(f"{glyph['character']}U+{glyph['code_point']:04X}", page.text)
+            for flag in glyph['flags']:
+                self.assertIn(f"{flag['flag']}: {flag['reason']}", page.text)
+
+    def test_nothing_is_flagged(self):
+        page = self.page('--text', 'HIo', fonts=(cli.SERIF, cli.SERIF))
+        self.assertIn('None.', page.text)
+        self.assertEqual(page.count('svg'), 0)
+
+    def test_a_failed_glyph_has_no_strip(self):
+        font = cli.cut_font(self.path('cut.ttf'), 'AB', blank='B')
+        page = self.page('--text', 'AB', fonts=(font, cli.cut_font(self.path('other.ttf'), 'AB')))
+        self.assertIn('failed: one font draws the character', page.text)
+        self.assertEqual(page.count('svg'), 0)
+
+    def test_names_and_characters_are_escaped(self):
+        font = cli.cut_font(self.path('<b>&"x\'.ttf'), '<&>"A')
+        page = self.page('--text', '<&>"A', fonts=(font, cli.SANS_BOLD))
+        self.assertEqual(page.count('b'), 1)  # the number of flagged glyphs
+        self.assertIn(str(font), page.text)
+        for character in '<&>"':
+            self.assertIn(f'{character}U+{ord(character):04X}', page.text)
+
+    def test_only_the_worst_have_strips(self):
+        chars = self.write('chars', 'U+4E00-4F3F')
+        self.made('report', cli.ZENHEI, cli.UKAI, '-q', '--chars', chars, '--method', 'paper', '-o', 'x.html')
+        page = Reader(self.path('x.html').read_text(encoding='utf-8'))
+        self.assertEqual(page.count('svg'), 9 * 200)
+        self.assertRegex(page.text, r'Only the worst 200 of the \d+ have strips')
+
+
+class Usage(cli.Test):
+    """What is refused."""
+
+    def test_output(self):
+        fonts = (cli.SANS_BOLD, cli.SERIF)
+        self.refused(2, 'report', *fonts, '--text', 'A', says=['-o'])
+        for output in ('x', 'x.pdf', 'html', 'x.html.gz'):
+            self.refused(2, 'report', *fonts, '--text', 'A', '-o', output, says=['.html', '.json'])
+        self.refused(1, 'report', *fonts, '--text', 'A', '-o', 'nowhere/x.html', says=['nowhere/x.html'])
+        self.path('d.html').mkdir()
+        self.refused(1, 'report', *fonts, '--text', 'A', '-o', 'd.html', says=['d.html'])
+
+    def test_fonts_and_characters(self):
+        self.refused(2, 'report', cli.SERIF, '-o', 'x.html', says=['two fonts'])
+        self.refused(1, 'report', cli.SANS_BOLD, cli.SERIF, '--text', '形', '-o', 'x.html', says=['形', 'lacks'])
+        self.refused(2, 'report', cli.SANS_BOLD, cli.SERIF, '--text', '', '-o', 'x.html', says=['--text'])
+        self.refused(2, 'report', cli.SANS_BOLD, cli.SERIF, '--at', '0.5', '-o', 'x.html', says=['--at'])
+
+    def test_help(self):
+        text = self.run_program('report', '--help').stdout.decode()
+        self.assertTrue(text.startswith('usage: morphotype report '))
+        self.assertLessEqual(max(map(len, text.splitlines())), 110)
+        self.assertIn('\n  report ', self.run_program('--help').stdout.decode())
+
+
+if __name__ == '__main__':
+    unittest.TestCase.maxDiff = None
+    cli.main()

@@ -1,0 +1,14 @@
+/* The file of --hints, what it says of the two fonts, and what is wrong with it. */
+#ifndef HINTS_FILE_H
+#define HINTS_FILE_H
+
+#include "options.h"
+
+/* Reads the file into a table for mt_hint_table_free; NULL where none is given. With --verbose, says which of
+ * its characters not all of the `count` fonts have. DONE or, said, COULD_NOT. */
+int hints_read(const cli_options *options, mt_font *const *fonts, int count, mt_hint_table **table);
+
+/* Says why the file's hints cannot be used, with its line on MT_BAD_HINTS, and gives COULD_NOT. */
+int hints_fail(const cli_options *options, mt_status status, const mt_hint_error *error);
+
+#endif

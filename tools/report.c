@@ -1,0 +1,55 @@
+/* morphotype report: which glyphs between two fonts need a look, as a page or as data. */
+#include "commands.h"
+#include "messages.h"
+#include "render/report.h"
+#include "work.h"
+
+static int check(const cli_options *options) {
+    mt_report_format format;
+    if (!options->output) return misuse(options->command, "-o OUT.html or .json is wanted");
+    if (mt_report_format_of(options->output, &format) != MT_OK)
+        return misuse(options->command, "-o %s: report writes .html and .json files", options->output);
+    return output_check(options->output);
+}
+
+static int make(cli_work *work) {
+    const cli_options *options = work->options;
+    mt_report_request request = {.a = work->fonts[0],
+                                 .b = work->fonts[1],
+                                 .params = &options->params,
+                                 .hints = mt_blend_hints(work->blend),
+                                 .code_points = work->chosen.list,
+                                 .count = work->chosen.count,
+                                 .progress = progress_draw,
+                                 .user = &work->bar};
+    mt_status status = mt_report_save(&request, options->output);
+    return status == MT_OK ? DONE : work_fail(work, status);
+}
+
+static int run(cli_options *options) {
+    cli_work work;
+    int outcome = check(options);
+    if (outcome != DONE) return outcome;
+    outcome = work_begin(options, &work);
+    if (outcome == DONE) outcome = make(&work);
+    work_end(&work);
+    return outcome;
+}
+
+const cli_command report_command = {
+    .name = "report",
+    .summary = "which glyphs between two fonts need a look, and why",
+    .help = "usage: morphotype report FONT FONT -o OUT.html|json [OPTION...]\n"
+            "\n"
+            "Measures every character that both fonts have, or those that --text or --chars names, at nine "
+            "places, and\n"
+            "lists them, the worst first: counts of components and holes, ink, points, kinks. The page shows "
+            "strips of\n"
+            "those that need a look. --text wants all of its characters in both fonts; of --chars those are "
+            "left out that\n"
+            "one font lacks. A glyph that cannot be blended is in the report.\n",
+    .takes = "otc",
+    .fonts_min = 2,
+    .fonts_max = 2,
+    .run = run,
+};
