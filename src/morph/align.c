@@ -63,13 +63,22 @@ mt_status mt_ring_stops(const mt_ring *ring, double chord, double least, mt_aren
 
 static const mt_tariff tariff = {.direction = 3, .distance = 4, .corner = 1};
 
+#define THIN 0.35        /* of the other side: what a side of a box counts as, at least */
 #define PIN_PRICE 100.0F /* for a stop that a hint sends elsewhere */
 #define PIN_REACH 25.0   /* from a hint to the boundary that it is for, at most, 1/1000 em */
 #define STARTS 4         /* stops of B that are tried for the start */
 
+/* The side of a box that places on it are taken relative to; a thin box counts as thicker, since a stem that is all of one glyph is
+ * only the middle of the same glyph with serifs. */
+static double side_of(double side, double across) {
+    return fmax(side, THIN * across);
+}
+
 mt_view mt_view_of(const mt_stop *s, mt_box box) {
-    return (mt_view){.x = (s->x - box.min.x) / mt_box_width(box),
-                     .y = (s->y - box.min.y) / mt_box_height(box),
+    double width = mt_box_width(box), height = mt_box_height(box);
+    double x = s->x - box.min.x - width / 2, y = s->y - box.min.y - height / 2;
+    return (mt_view){.x = x / side_of(width, height),
+                     .y = y / side_of(height, width),
                      .in_x = cos(s->in),
                      .in_y = sin(s->in),
                      .out_x = cos(s->out),

@@ -10,6 +10,14 @@ static int parts_of(mt_point a, mt_point b, double step) {
     return 1 + (int)(sqrt((double)mt_distance2(a, b)) / step);
 }
 
+/* The place k parts of the way from a to b: the same from either end, so that the two sides of a slit stay together. */
+static mt_point place_between(mt_point a, mt_point b, int k, int parts) {
+    if (b.x < a.x || (b.x == a.x && b.y < a.y)) return place_between(b, a, parts - k, parts);
+    double s = (double)k / parts;
+    return (mt_point){a.x + (int32_t)lround(s * ((double)b.x - a.x)),
+                      a.y + (int32_t)lround(s * ((double)b.y - a.y))};
+}
+
 /* The ring with its long edges divided; drawn[i] tells the vertices that it had before. */
 static mt_status refine(const mt_ring *ring, double step, mt_arena *arena, mt_ring *fine, bool *drawn) {
     int64_t total = 0;
@@ -23,9 +31,7 @@ static mt_status refine(const mt_ring *ring, double step, mt_arena *arena, mt_ri
         mt_point a = ring->points[i], b = ring->points[(i + 1) % ring->count];
         int parts = parts_of(a, b, step);
         for (int k = 0; k < parts; k++, made++) {
-            double s = (double)k / parts;
-            fine->points[made] = (mt_point){a.x + (int32_t)lround(s * ((double)b.x - a.x)),
-                                            a.y + (int32_t)lround(s * ((double)b.y - a.y))};
+            fine->points[made] = place_between(a, b, k, parts);
             fine->marks[made] = k ? ring->marks[i] & MT_EDGE_MARKS : ring->marks[i];
             drawn[made] = k == 0;
         }
@@ -53,6 +59,7 @@ static mt_status view_ring(const mt_ring *ring, double chord, int first, mt_aren
                         .in = mt_trace_in(&trace, i),
                         .out = mt_trace_out(&trace, i)};
         border->views[first + i] = mt_view_of(&stop, border->box);
+        border->places[first + i] = ring->points[i];
         border->length[first + i] = trace.length[i] / MT_EM;
         border->along[first + i] = i ? border->along[first + i - 1] + border->length[first + i - 1] : 0;
     }
@@ -165,9 +172,7 @@ int mt_bridge_back(const mt_border *border, int bridge) {
 }
 
 double mt_border_distance(const mt_border *border, int i, int j) {
-    double dx = (border->views[i].x - border->views[j].x) * mt_box_width(border->box);
-    double dy = (border->views[i].y - border->views[j].y) * mt_box_height(border->box);
-    return hypot(dx, dy) / MT_EM;
+    return sqrt((double)mt_distance2(border->places[i], border->places[j])) / MT_EM;
 }
 
 static mt_status start_border(const mt_shape *shape, double step, mt_arena *arena, mt_border *made) {
@@ -187,9 +192,11 @@ static mt_status start_border(const mt_shape *shape, double step, mt_arena *aren
     made->count = (int)stops;
     made->first_of_ring = mt_arena_new(arena, rings + 1, sizeof *made->first_of_ring);
     made->views = mt_arena_new(arena, (size_t)stops, sizeof *made->views);
+    made->places = mt_arena_new(arena, (size_t)stops, sizeof *made->places);
     made->length = mt_arena_new(arena, (size_t)stops, sizeof *made->length);
     made->along = mt_arena_new(arena, (size_t)stops, sizeof *made->along);
-    return made->first_of_ring && made->views && made->length && made->along ? MT_OK : MT_NO_MEMORY;
+    return made->first_of_ring && made->views && made->places && made->length && made->along ? MT_OK
+                                                                                             : MT_NO_MEMORY;
 }
 
 mt_status mt_border_of(const mt_shape *shape, mt_box box, double chord, double step, double reach,

@@ -23,6 +23,7 @@ typedef struct mt_border {
     int *first_of_ring; /* ring_count + 1 */
     int count;          /* of stops */
     mt_view *views;
+    mt_point *places;  /* of each stop */
     double *length;    /* from each stop to the next, em */
     double *along;     /* from the start of its ring to each stop, em */
     int *first_bridge; /* count + 1 */

@@ -12,7 +12,8 @@ typedef struct mt_stencil {
 } mt_stencil;
 
 /* What comes of it: a cut from one ring to another opens a hole, one from a ring to itself parts the component. Each share is a
- * component, outer ring first; together they have the same ink. Both ends of a cut are corners of both shares, and vertices that
+ * component, outer ring first; together they have the same ink, but for what the rounding of a
+ * cut's ends on slanted edges makes of it. Both ends of a cut are corners of both shares, and vertices that
  * were not drawn are left out but for these. share_of[t] is the share of triangle t. MT_NO_MEMORY. */
 mt_status mt_cut(const mt_stencil *ink, mt_arena *arena, mt_shape *shares, int *share_of);
 

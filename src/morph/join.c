@@ -16,7 +16,7 @@
 
 /* ---- two rings ----------------------------------------------------------------------------------------- */
 
-static mt_status join_rings(const mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters) {
+static mt_status join_rings(mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters) {
     mt_stops a, b;
     mt_links pins;
     mt_alignment alignment;
@@ -26,6 +26,7 @@ static mt_status join_rings(const mt_joining *j, const mt_ring *p, const mt_ring
     if (status == MT_OK) status = mt_pins_of(j->hints, &a, &b, j->arena, &pins);
     if (status == MT_OK) status = mt_align(&a, j->a.box, &b, j->b.box, &pins, j->arena, &alignment);
     if (status != MT_OK) return status;
+    j->dearest = fmax(j->dearest, alignment.cost);
     return mt_masters_fit(&a, &b, &alignment, mt_grid_units(j->params->fit), j->arena, masters);
 }
 
@@ -122,15 +123,15 @@ static mt_status join_all(mt_joining *j, mt_masters *contours, int *count) {
     return status;
 }
 
-mt_status mt_join(mt_part a, mt_part b, const mt_hints *hints, const mt_params *params, mt_arena *arena,
-                  mt_masters *contours, int *count) {
-    mt_joining j = {a, b, hints, params, arena};
+mt_status mt_join(mt_part a, mt_part b, double most, const mt_hints *hints, const mt_params *params,
+                  mt_arena *arena, mt_masters *contours, int *count) {
+    mt_joining j = {a, b, hints, params, arena, 0};
     mt_point by;
     if (is_moved(a.component, b.component, &by)) return join_alike(&j, by, contours, count);
     int before = *count;
     bool drawable = false;
     mt_status status = join_all(&j, contours, count);
     if (status == MT_OK) status = is_drawable(&j, contours + before, *count - before, &drawable);
-    if (status == MT_OK && !drawable) *count = before;
+    if (status == MT_OK && (!drawable || j.dearest > most)) *count = before;
     return status;
 }

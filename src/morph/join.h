@@ -16,13 +16,14 @@ typedef struct mt_joining {
     const mt_hints *hints;
     const mt_params *params;
     mt_arena *arena;
+    double dearest; /* of the alignments so far (align.h) */
 } mt_joining;
 
 /* Joins two parts: their outer rings and those holes that have a counterpart are aligned, and a contour is fitted to each pair.
  * A hole without a counterpart is slit open, or closes to a point inside the other part's ink. Appends to contours[*count]
- * at most as many contours as both have rings; none when the half-way contours would lie too much over themselves or each
- * other. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
-mt_status mt_join(mt_part a, mt_part b, const mt_hints *hints, const mt_params *params, mt_arena *arena,
-                  mt_masters *contours, int *count);
+ * at most as many contours as both have rings; none when aligning a pair of rings costs more than `most`, or the half-way
+ * contours would lie too much over themselves or each other. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
+mt_status mt_join(mt_part a, mt_part b, double most, const mt_hints *hints, const mt_params *params,
+                  mt_arena *arena, mt_masters *contours, int *count);
 
 #endif

@@ -1,8 +1,15 @@
 #include "morph/joint.h"
 
+#include <math.h>
+
 #include "morph/holes.h"
 #include "morph/join.h"
 #include "morph/reconcile.h"
+
+/* What aligning two components as they are may cost: more than that, they are not built alike, … */
+#define PLAIN_MOST 0.8
+/* … but unless it is more than that, still better than by links, when cutting does not help. */
+#define PLAIN_LAST 1.5
 
 typedef struct mt_loom {
     mt_morph *morph;
@@ -33,11 +40,11 @@ static mt_status start(mt_loom *loom) {
 }
 
 /* Joins a match; both components are aligned when that went well. */
-static mt_status join_match(mt_loom *loom, mt_link match) {
+static mt_status join_match(mt_loom *loom, mt_link match, double most) {
     mt_morph *m = loom->morph;
     int before = m->contour_count;
-    mt_status status = mt_join(part_of(&m->a, match.a), part_of(&m->b, match.b), loom->hints, loom->params,
-                               loom->arena, m->contours, &m->contour_count);
+    mt_status status = mt_join(part_of(&m->a, match.a), part_of(&m->b, match.b), most, loom->hints,
+                               loom->params, loom->arena, m->contours, &m->contour_count);
     if (m->contour_count > before) m->a.aligned[match.a] = m->b.aligned[match.b] = true;
     return status;
 }
@@ -55,12 +62,12 @@ static bool is_plain(const mt_morph *m) {
     return true;
 }
 
-static mt_status join_plain(mt_loom *loom, bool *joined) {
+static mt_status join_plain(mt_loom *loom, double most, bool *joined) {
     mt_morph *m = loom->morph;
-    mt_status status = MT_OK;
+    mt_status status = start(loom);
     *joined = is_plain(m);
     for (int i = 0; status == MT_OK && *joined && i < m->matches.count; i++) {
-        status = join_match(loom, m->matches.links[i]);
+        status = join_match(loom, m->matches.links[i], most);
         *joined = m->a.aligned[m->matches.links[i].a];
     }
     return status;
@@ -116,18 +123,31 @@ static mt_status join_cut(mt_loom *loom) {
     status = match_shares(loom, &a, &b);
     if (status == MT_OK) status = start(loom);
     for (int i = 0; status == MT_OK && i < m->matches.count; i++)
-        if (a.partner[m->matches.links[i].a] >= 0) status = join_match(loom, m->matches.links[i]);
+        if (a.partner[m->matches.links[i].a] >= 0) status = join_match(loom, m->matches.links[i], INFINITY);
     int in_a = without_partner(&a), in_b = without_partner(&b);
     if (status == MT_OK && in_a && !in_b) status = join_rest(loom, &a, true);
     if (status == MT_OK && in_b && !in_a) status = join_rest(loom, &b, false);
     return status;
 }
 
+/* ---- all of it ----------------------------------------------------------------------------------------------- */
+
+static bool all_aligned(const mt_side *side) {
+    for (int k = 0; k < side->shape.count; k++)
+        if (!side->aligned[k]) return false;
+    return true;
+}
+
 mt_status mt_joint(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
+    mt_morph whole = *morph;
     mt_loom loom = {morph, hints, params, arena};
-    bool joined = false;
-    mt_status status = start(&loom);
-    if (status == MT_OK) status = join_plain(&loom, &joined);
-    if (status == MT_OK && !joined) status = join_cut(&loom);
+    bool joined;
+    mt_status status = join_plain(&loom, PLAIN_MOST, &joined);
+    if (status != MT_OK || joined) return status;
+    status = join_cut(&loom);
+    if (status != MT_OK || all_aligned(&morph->a)) return status;
+    loom.morph = &whole;
+    status = join_plain(&loom, PLAIN_LAST, &joined);
+    if (status == MT_OK && joined) *morph = whole;
     return status;
 }

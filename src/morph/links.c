@@ -81,3 +81,32 @@ mt_status mt_link_pieces(const mt_side *a, const mt_side *b, const mt_links *mat
     *links = made;
     return MT_OK;
 }
+
+/* ---- either way round ---------------------------------------------------------------------------------- */
+
+/* An order of sides that does not ask which of them is A: < 0, 0, > 0. */
+static int compare_sides(const mt_side *p, const mt_side *q) {
+    if (p->pieces.count != q->pieces.count) return p->pieces.count < q->pieces.count ? -1 : 1;
+    for (int i = 0; i < p->pieces.count; i++) {
+        int64_t in_p = mt_ring_area2(&p->pieces.rings[i]), in_q = mt_ring_area2(&q->pieces.rings[i]);
+        if (in_p != in_q) return in_p < in_q ? -1 : 1;
+    }
+    return 0;
+}
+
+static mt_status swapped(const mt_links *links, mt_arena *arena, mt_links *made) {
+    *made = (mt_links){links->count, mt_arena_new(arena, (size_t)links->count, sizeof(mt_link))};
+    if (!made->links) return MT_NO_MEMORY;
+    for (int i = 0; i < links->count; i++) made->links[i] = (mt_link){links->links[i].b, links->links[i].a};
+    qsort(made->links, (size_t)made->count, sizeof(mt_link), by_a_then_b);
+    return MT_OK;
+}
+
+mt_status mt_link_evenly(const mt_side *a, const mt_side *b, const mt_links *matches, bool one_scale,
+                         mt_arena *arena, mt_links *links) {
+    if (compare_sides(a, b) <= 0) return mt_link_pieces(a, b, matches, one_scale, arena, links);
+    mt_links matches_back, links_back;
+    mt_status status = swapped(matches, arena, &matches_back);
+    if (status == MT_OK) status = mt_link_pieces(b, a, &matches_back, one_scale, arena, &links_back);
+    return status == MT_OK ? swapped(&links_back, arena, links) : status;
+}

@@ -11,4 +11,8 @@
 mt_status mt_link_pieces(const mt_side *a, const mt_side *b, const mt_links *matches, bool one_scale,
                          mt_arena *arena, mt_links *links);
 
+/* The same, from whichever side comes first in an order of their own: swapping A and B swaps the links. */
+mt_status mt_link_evenly(const mt_side *a, const mt_side *b, const mt_links *matches, bool one_scale,
+                         mt_arena *arena, mt_links *links);
+
 #endif

@@ -80,6 +80,19 @@ static mt_status turn_b(mt_morph *morph, const mt_params *params, mt_arena *aren
     return MT_OK;
 }
 
+/* Hints give B's places as drawn; the engine looks for them where B was turned to. */
+static mt_status turn_hints(const mt_hints *hints, const mt_morph *morph, mt_box box, mt_arena *arena,
+                            mt_hints *turned) {
+    mt_hint *made = mt_arena_new(arena, (size_t)hints->count, sizeof *made);
+    if (!made) return MT_NO_MEMORY;
+    for (int i = 0; i < hints->count; i++) {
+        made[i] = hints->hints[i];
+        if (morph->degrees != 0) made[i].b = mt_turn(made[i].b, mt_box_middle(box), -morph->degrees);
+    }
+    *turned = (mt_hints){hints->count, made};
+    return MT_OK;
+}
+
 /* ---- the joint method ---------------------------------------------------------------------------------- */
 
 /* What the joint method cannot take, the paper's own still can. */
@@ -101,12 +114,16 @@ mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints 
     if (a->count > MT_COMPONENTS_MAX || b->count > MT_COMPONENTS_MAX) return MT_TOO_LARGE;
     mt_status status = a->count ? turn_b(&made, params, arena) : MT_OK;
     if (status == MT_OK && a->count) status = match_components(&made, params, arena);
+    mt_hints turned = {0};
+    if (status == MT_OK && hints) status = turn_hints(hints, &made, mt_shape_box(b), arena, &turned);
     if (status == MT_OK && a->count && params->method == MT_METHOD_JOINT)
-        status = join(&made, hints ? hints : &(mt_hints){0}, params, arena);
+        status = join(&made, &turned, params, arena);
     if (status == MT_OK) status = decompose_all(&made.a, arena);
     if (status == MT_OK) status = decompose_all(&made.b, arena);
+    bool paper = params->method == MT_METHOD_PAPER;
     if (status == MT_OK)
-        status = mt_link_pieces(&made.a, &made.b, &made.matches, params->one_scale, arena, &made.links);
+        status = (paper ? mt_link_pieces : mt_link_evenly)(&made.a, &made.b, &made.matches, params->one_scale,
+                                                           arena, &made.links);
     if (status == MT_OK) *morph = made;
     return status;
 }

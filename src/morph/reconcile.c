@@ -12,7 +12,10 @@
 #define REACH 300.0 /* of a bridge, 1/1000 em */
 
 /* What aligning two shares may cost (pairing.h) for them to go together. */
-#define PARTNER_MOST 1.3
+#define PARTNER_MOST 2.0
+
+/* What aligning two holes may cost for them to be the same hole. */
+#define COMMON_MOST 0.6
 
 /* One side on its way. */
 typedef struct mt_bank {
@@ -45,9 +48,66 @@ static mt_status walk_both_ways(mt_bank *banks, mt_arena *arena) {
     return status == MT_OK ? walk_on(&banks[1], &banks[0], arena) : status;
 }
 
+/* ---- holes that both sides have ------------------------------------------------------------------------------ */
+
+/* The holes of a shape, which ring of its border each is, and which of those are outer ones. */
+static mt_status holes_of(const mt_side *side, mt_arena *arena, mt_ring_list *holes, int *ring_of,
+                          bool *outer) {
+    int ring = 0;
+    *holes = (mt_ring_list){0, NULL, side->box};
+    for (int k = 0; k < side->shape.count; k++) ring += side->shape.components[k].count;
+    holes->rings = mt_arena_new(arena, (size_t)ring, sizeof(mt_ring *));
+    if (!holes->rings) return MT_NO_MEMORY;
+    ring = 0;
+    for (int k = 0; k < side->shape.count; k++)
+        for (int i = 0; i < side->shape.components[k].count; i++, ring++) {
+            outer[ring] = i == 0;
+            if (i == 0) continue;
+            ring_of[holes->count] = ring;
+            holes->rings[holes->count++] = &side->shape.components[k].rings[i];
+        }
+    return MT_OK;
+}
+
+/* Bars the bridges from common holes to the outside, and to one another: there is no need to open them. `common` tells of
+ * each ring whether it is such a hole, and `outer` whether it is a component's outer ring. */
+static void bar_common(mt_border *b, const bool *common, const bool *outer) {
+    for (int stop = 0; stop < b->count; stop++)
+        for (int i = b->first_bridge[stop]; i < b->first_bridge[stop + 1]; i++) {
+            int from = mt_border_ring(b, stop), to = mt_border_ring(b, b->bridges[i].to);
+            bool needless = (common[from] && (common[to] || outer[to])) || (common[to] && outer[from]);
+            if (from != to && needless) b->bridges[i].price = INFINITY;
+        }
+}
+
+static mt_status keep_common_holes(const mt_side *a, const mt_side *b, mt_bank *banks, double chord,
+                                   mt_arena *arena) {
+    mt_ring_list holes[2];
+    int *ring_of[2], *partner[2];
+    bool *common[2], *outer[2];
+    mt_status status = MT_OK;
+    for (int s = 0; status == MT_OK && s < 2; s++) {
+        size_t rings = (size_t)banks[s].border.ring_count;
+        ring_of[s] = mt_arena_new(arena, rings, sizeof(int));
+        partner[s] = mt_arena_new(arena, rings, sizeof(int));
+        common[s] = mt_arena_new(arena, rings, sizeof(bool));
+        outer[s] = mt_arena_new(arena, rings, sizeof(bool));
+        if (!ring_of[s] || !partner[s] || !common[s] || !outer[s]) return MT_NO_MEMORY;
+        status = holes_of(s == 0 ? a : b, arena, &holes[s], ring_of[s], outer[s]);
+        for (int i = 0; status == MT_OK && i < holes[s].count; i++) partner[s][i] = -1;
+    }
+    if (status == MT_OK)
+        status = mt_pair_rings(&holes[0], &holes[1], COMMON_MOST, chord, arena, partner[0], partner[1]);
+    for (int s = 0; status == MT_OK && s < 2; s++) {
+        for (int i = 0; i < holes[s].count; i++) common[s][ring_of[s][i]] = partner[s][i] >= 0;
+        bar_common(&banks[s].border, common[s], outer[s]);
+    }
+    return status;
+}
+
 /* ---- which bridges may become cuts ----------------------------------------------------------------------------------- */
 
-#define NEAR 0.2 /* em: how far apart two bridges may be that are crossed to and fro for the same reason … */
+#define NEAR 0.3 /* em: how far apart two bridges may be that are crossed to and fro for the same reason … */
 #define NEAR_SHARE 1.0   /* … and more where they are long, this share of their length */
 #define KNOWN_SHARE 0.25 /* of a bridge's price, once it is known that both ways are wanted */
 
@@ -285,6 +345,7 @@ mt_status mt_reconcile(const mt_side *a, const mt_side *b, const mt_hints *hints
     double chord = mt_grid_units(params->tolerance);
     mt_status status = start_bank(a, chord, arena, &banks[0]);
     if (status == MT_OK) status = start_bank(b, chord, arena, &banks[1]);
+    if (status == MT_OK) status = keep_common_holes(a, b, banks, chord, arena);
     if (status == MT_OK) status = find_cuts(banks, arena);
     bool changed = true;
     while (status == MT_OK && changed) {

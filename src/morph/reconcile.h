@@ -11,7 +11,8 @@ typedef struct mt_cut_side {
 } mt_cut_side;
 
 /* Walks around every ring of each side on the border of the other (walk.h), cuts where walkers cross the ink both ways, pairs
- * what comes of it (as the hints say, then by pairing.h), and takes back the cuts that do not help. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
+ * what comes of it (as the hints say, then by pairing.h), and takes back the cuts that do not help. `hints` is not NULL. MT_NO_MEMORY, MT_TOO_LARGE,
+ * MT_BAD_GEOMETRY. */
 mt_status mt_reconcile(const mt_side *a, const mt_side *b, const mt_hints *hints, const mt_params *params,
                        mt_arena *arena, mt_cut_side *cut_a, mt_cut_side *cut_b);
 

@@ -8,8 +8,7 @@
 
 #define STEP 12.0   /* between the places where a slit may end, 1/1000 em */
 #define REACH 300.0 /* of a slit, 1/1000 em */
-#define TRIES 6     /* the shortest slits that are looked at … */
-#define APART 0.04  /* … as long as each is so far from the shorter ones, em */
+#define TRIES 12    /* stretches of the hole, of each of which the shortest slit is looked at */
 
 typedef struct mt_tries {
     int count;
@@ -20,27 +19,18 @@ static double bridge_length(const mt_border *b, int bridge) {
     return mt_border_distance(b, mt_bridge_source(b, bridge), b->bridges[bridge].to);
 }
 
-static bool is_near_tried(const mt_border *b, const mt_tries *tries, int bridge) {
-    for (int i = 0; i < tries->count; i++)
-        if (mt_border_distance(b, mt_bridge_source(b, bridge), mt_bridge_source(b, tries->bridges[i])) <
-            APART)
-            return true;
-    return false;
-}
-
-/* The shortest bridges from the hole to rings that have a counterpart. */
+/* The shortest bridge of each stretch of the hole to a ring that has a counterpart. */
 static mt_tries shortest(const mt_border *b, int hole, const mt_ring **counterpart) {
     mt_tries tries = {0};
-    int first = b->first_bridge[b->first_of_ring[hole]], last = b->first_bridge[b->first_of_ring[hole + 1]];
-    while (tries.count < TRIES) {
-        int best = -1;
-        for (int i = first; i < last; i++) {
-            int to = mt_border_ring(b, b->bridges[i].to);
-            if (to == hole || !counterpart[to] || is_near_tried(b, &tries, i)) continue;
+    int first = b->first_of_ring[hole], count = b->first_of_ring[hole + 1] - first;
+    for (int stretch = 0; stretch < TRIES; stretch++) {
+        int from = first + stretch * count / TRIES, to = first + (stretch + 1) * count / TRIES, best = -1;
+        for (int i = b->first_bridge[from]; i < b->first_bridge[to]; i++) {
+            int ring = mt_border_ring(b, b->bridges[i].to);
+            if (ring == hole || !counterpart[ring]) continue;
             if (best < 0 || bridge_length(b, i) < bridge_length(b, best)) best = i;
         }
-        if (best < 0) return tries;
-        tries.bridges[tries.count++] = best;
+        if (best >= 0) tries.bridges[tries.count++] = best;
     }
     return tries;
 }

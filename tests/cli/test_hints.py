@@ -3,6 +3,7 @@
 import pathlib
 
 import cli
+from fontTools import ttLib
 
 FONTS = (cli.SANS_BOLD, cli.SERIF)
 COMMANDS = (('blend', 'x.ttf'), ('strip', 'x.svg'), ('sheet', 'x.svg'), ('inspect', 'x.json'), ('report', 'x.json'))
@@ -66,12 +67,24 @@ class Use(cli.Test):
                                         'component 0,0 500,500\r\nglyph b # no hints\r\n')
         for command, output in COMMANDS:
             with self.subTest(command=command):
-                self.assertEqual(self.made_by(command, output), self.made_by(command, output, '--hints', other, '-j', 3))
+                without = self.made_by(command, output)
+                self.assertTrue(without == self.made_by(command, output, '--hints', other, '-j', 3))
+
+    def test_a_hint_is_followed_by_every_command(self):
+        """The top of one o goes with a place 30 degrees further on the other."""
+        a, b = (ttLib.TTFont(font)['glyf']['o'] for font in FONTS)
+        x, y = (b.xMin + b.xMax) / 2 + (b.xMax - b.xMin) / 4, (b.yMin + b.yMax) / 2 + (b.yMax - b.yMin) * 3 ** 0.5 / 4
+        path = self.write('hints.txt', f'glyph o\npoint {(a.xMin + a.xMax) / 2},{a.yMax} {x:.1f},{y:.1f}\n')
+        for command, output in COMMANDS:
+            with self.subTest(command=command):
+                without = self.made_by(command, output, '--text', 'o')
+                self.assertFalse(without == self.made_by(command, output, '--text', 'o', '--hints', path))
 
     def test_an_empty_file_changes_nothing(self):
         empty = self.write('hints.txt', '')
         for command, output in COMMANDS[:2]:
-            self.assertEqual(self.made_by(command, output), self.made_by(command, output, '--hints', empty))
+            without = self.made_by(command, output)
+            self.assertTrue(without == self.made_by(command, output, '--hints', empty))
 
     def test_characters_that_are_not_shared_are_told_when_asked(self):
         path = self.write('hints.txt', 'glyph 形\npoint 1,2 3,4\nglyph a\npoint 1,2 3,4\nglyph U+5F61\npoint 1,2 3,4\n')

@@ -32,34 +32,40 @@ class Data(cli.Test):
         for index, component in enumerate(side['components']):
             pieces = side['pieces'][first:first + component['piece_count']]
             self.assertEqual(component['first_piece'], first)
-            self.assertEqual({piece['component'] for piece in pieces}, {index})
-            self.assertAlmostEqual(sum(piece['area'] for piece in pieces), component['area'], places=6)
+            self.assertEqual([piece['component'] for piece in pieces], [index] * component['piece_count'])
+            if pieces:
+                self.assertAlmostEqual(sum(piece['area'] for piece in pieces), component['area'], places=6)
             first += component['piece_count']
         self.assertEqual(first, len(side['pieces']))
         self.assertAlmostEqual(sum(part['area'] for part in side['components']), side['area'], places=6)
 
+    def aligned(self, side):
+        """The components that move by contours: those without pieces."""
+        return {index for index, part in enumerate(side['components']) if part['piece_count'] == 0}
+
     def check_matches(self, glyph):
-        """In order, none twice, and every component on both sides has a partner."""
+        """In order, none twice, both components aligned or neither, and every component that is not has a partner."""
         matches = list(map(tuple, glyph['matches']))
         self.assertEqual(matches, sorted(set(matches)))
-        for side, key in enumerate('ab'):
-            self.assertEqual({match[side] for match in matches}, set(range(len(glyph[key]['components']))))
+        in_a, in_b = self.aligned(glyph['a']), self.aligned(glyph['b'])
+        for a, b in matches:
+            self.assertEqual(a in in_a, b in in_b)
+        for side, (key, aligned) in enumerate((('a', in_a), ('b', in_b))):
+            self.assertEqual({match[side] for match in matches} | aligned, set(range(len(glyph[key]['components']))))
 
     def check_links(self, glyph):
-        """In order, none twice, within matched components; of a component, all pieces have links or, aligned, none has."""
+        """In order, none twice, within matched components; every piece has one."""
         links = list(map(tuple, glyph['links']))
         self.assertEqual(links, sorted(set(links)))
         owners = [[piece['component'] for piece in glyph[key]['pieces']] for key in 'ab']
         linked = {(owners[0][a], owners[1][b]) for a, b in links}
         self.assertLessEqual(linked, set(map(tuple, glyph['matches'])))
         for side, key in enumerate('ab'):
-            components = {match[side] for match in linked}
-            expected = {piece for piece, owner in enumerate(owners[side]) if owner in components}
-            self.assertEqual({link[side] for link in links}, expected)
-            self.assertEqual(len(components) == len(glyph[key]['components']), not glyph['contours'])
+            self.assertEqual({link[side] for link in links}, set(range(len(glyph[key]['pieces']))))
 
     def check_contours(self, glyph):
-        """As many points on both sides, all of them on or about the glyph."""
+        """As many points on both sides, all of them on or about the glyph; some where a component is aligned."""
+        self.assertEqual(bool(glyph['contours']), bool(self.aligned(glyph['a']) | self.aligned(glyph['b'])))
         for contour in glyph['contours']:
             self.assertEqual(len(contour['a']), len(contour['b']))
             self.assertGreater(len(contour['a']), 1)
@@ -86,11 +92,16 @@ class Data(cli.Test):
     def test_an_aligned_letter_is_contours(self):
         glyph = self.inspect(cli.SANS_BOLD, cli.SERIF, '--text', 'o')['glyphs'][0]
         self.assertEqual((len(glyph['contours']), glyph['links']), (2, []))
+        for side in 'ab':
+            self.assertEqual((self.aligned(glyph[side]), glyph[side]['pieces']), ({0}, []))
 
     def test_the_method_of_the_paper_has_links_alone(self):
         for glyph in self.inspect(cli.SANS_BOLD, cli.SERIF, '--text', 'oiB', '--method', 'paper')['glyphs']:
             self.check_glyph(glyph)
             self.assertEqual(glyph['contours'], [])
+            for key, font in (('a', cli.SANS_BOLD), ('b', cli.SERIF)):
+                alone = self.inspect(font, '--text', glyph['character'])['glyphs'][0]['a']
+                self.assertEqual((self.aligned(glyph[key]), glyph[key]), (set(), alone))
             self.assertGreaterEqual(len(glyph['links']), len(glyph['a']['pieces']))
 
     def test_chinese(self):
@@ -99,6 +110,18 @@ class Data(cli.Test):
             self.check_glyph(glyph)
         self.assertEqual([glyph['code_point'] for glyph in data['glyphs']], [0x5f62, 0x4e09, 0x570b])
         self.assertEqual(len(data['glyphs'][1]['matches']), 3)
+
+    def test_both_sides_are_cut_into_as_many(self):
+        """國 is three components in the one font and five in the other: cut, five in both, with the same ink."""
+        drawn, cut = (self.inspect(cli.ZENHEI, cli.UKAI, '--text', '國', *method)['glyphs'][0]
+                      for method in (('--method', 'paper'), ()))
+        self.check_glyph(drawn)
+        self.check_glyph(cut)
+        self.assertEqual([len(drawn[side]['components']) for side in 'ab'], [3, 5])
+        self.assertEqual([len(cut[side]['components']) for side in 'ab'], [5, 5])
+        for side in 'ab':
+            self.assertEqual(cut[side]['area'], drawn[side]['area'])
+        self.assertEqual(sorted(match[1] for match in cut['matches']), list(range(5)))
 
     def test_areas_are_those_of_the_outlines(self):
         data = self.inspect(cli.SANS_BOLD, cli.SERIF, '--text', 'loSg8', '--tolerance', '0.05')
@@ -124,7 +147,7 @@ class Data(cli.Test):
         glyph = data['glyphs'][0]
         self.assertEqual(set(glyph), {'character', 'code_point', 'a'})
         self.check_side(glyph['a'])
-        both = self.inspect(cli.SERIF, cli.SANS_BOLD, '--text', 'g')['glyphs'][0]
+        both = self.inspect(cli.SERIF, cli.SANS_BOLD, '--text', 'g', '--method', 'paper')['glyphs'][0]
         self.assertEqual(both['a'], glyph['a'])
 
     def test_a_blank(self):
@@ -133,10 +156,12 @@ class Data(cli.Test):
 
     def test_given_rotation(self):
         straight = self.inspect(cli.SANS_BOLD, cli.SERIF, '--text', 'R')['glyphs'][0]
-        turned = self.inspect(cli.SANS_BOLD, cli.SERIF, '--text', 'R', '--rotate', '-30.5')['glyphs'][0]
-        self.assertEqual(turned['rotation'], -30.5)
-        self.check_glyph(turned)
-        self.assertAlmostEqual(turned['b']['area'], straight['b']['area'], places=5)
+        for method in ('joint', 'paper'):
+            turned = self.inspect(cli.SANS_BOLD, cli.SERIF, '--text', 'R', '--rotate', '-30.5', '--method',
+                                  method)['glyphs'][0]
+            self.assertEqual(turned['rotation'], -30.5)
+            self.check_glyph(turned)
+            self.assertAlmostEqual(turned['b']['area'], straight['b']['area'], places=5)
 
     def middle_of_b(self, glyph):
         """The barycentre of B's ink, from its pieces."""
@@ -146,10 +171,21 @@ class Data(cli.Test):
 
     def test_centres_are_given_before_the_turn(self):
         """Turning B for the matching moves none of the centres that the data give."""
-        straight, turned = (self.inspect(cli.SANS_BOLD, cli.SERIF, '--text', 'L', *turn)['glyphs'][0]
+        paper = '--text', 'L', '--method', 'paper'
+        straight, turned = (self.inspect(cli.SANS_BOLD, cli.SERIF, *paper, *turn)['glyphs'][0]
                             for turn in ((), ('--rotate', '90')))
         for value, expected in zip(self.middle_of_b(turned), self.middle_of_b(straight)):
             self.assertAlmostEqual(value, expected, delta=1e-4)
+
+    def test_contours_are_given_before_the_turn(self):
+        """Nor does it move B's ends of the contours out of B's own box."""
+        glyph = ttLib.TTFont(cli.SERIF)['glyf']['L']
+        box = [value / 2048 for value in (glyph.xMin, glyph.yMin, glyph.xMax, glyph.yMax)]
+        for turn in ((), ('--rotate', '90')):
+            contour, = self.inspect(cli.SANS_BOLD, cli.SERIF, '--text', 'L', *turn)['glyphs'][0]['contours']
+            ends = list(zip(*contour['b']))
+            for value, expected in zip([*map(min, ends), *map(max, ends)], box):
+                self.assertAlmostEqual(value, expected, delta=1e-3)
 
     def test_into_a_file(self):
         self.assertEqual(self.made('inspect', cli.SERIF, '--text', 'g', '-o', 'x.json'), [])

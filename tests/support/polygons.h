@@ -33,6 +33,8 @@ mt_ring mt_random_scrawl(mt_random *random, mt_arena *arena, int count, int exte
 
 mt_ring mt_test_ring(mt_arena *arena,
                      int count); /* like mt_ring_new, all corners between lines; never fails */
+/* The ring through these points, each coordinate multiplied. */
+mt_ring mt_test_ring_of(mt_arena *arena, const int (*points)[2], int count, int factor);
 mt_rings mt_test_rings(mt_arena *arena, int count);
 mt_shape mt_test_shape_of(mt_arena *arena, const mt_component *component);
 

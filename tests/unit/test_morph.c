@@ -129,19 +129,113 @@ static void structure(void **state) {
     }
 }
 
-/* The paper's figure 2: 三 as three strokes and as two. */
+/* ---- the joint method --------------------------------------------------------------------------------- */
+
+static void check_joint_side(const mt_side *side, const mt_shape *drawn) {
+    assert_int_equal(side->whole.count, drawn->count);
+    assert_true(mt_oracle_shape_area2(&side->whole) == mt_oracle_shape_area2(drawn));
+    double off = (double)(mt_oracle_shape_area2(&side->shape) - mt_oracle_shape_area2(drawn));
+    assert_true(fabs(off) <=
+                sqrt(0.5) * mt_oracle_shape_length(drawn)); /* the ends of cuts are rounded to the grid */
+    for (int k = 0; k < side->shape.count; k++)
+        assert_true(side->aligned[k] == (side->first[k] == side->first[k + 1]));
+    assert_int_equal(side->first[side->shape.count], side->pieces.count);
+}
+
+static void check_joint_links(const mt_morph *morph) {
+    bool *in_a = mt_test_new((size_t)morph->a.pieces.count + 1, sizeof *in_a),
+         *in_b = mt_test_new((size_t)morph->b.pieces.count + 1, sizeof *in_b);
+    for (int i = 0; i < morph->matches.count; i++) {
+        mt_link match = morph->matches.links[i];
+        assert_true(morph->a.aligned[match.a] == morph->b.aligned[match.b]);
+    }
+    for (int i = 0; i < morph->links.count; i++)
+        in_a[morph->links.links[i].a] = in_b[morph->links.links[i].b] = true;
+    for (int i = 0; i < morph->a.pieces.count; i++) assert_true(in_a[i]);
+    for (int i = 0; i < morph->b.pieces.count; i++) assert_true(in_b[i]);
+    free(in_a);
+    free(in_b);
+}
+
+/* By the joint method: a component is aligned and has no pieces, or has pieces and each of them a link; matched components are
+ * aligned both or neither; contours as compatible masters; what was drawn is kept, and the shares have its ink. */
+static void aligned_components_have_no_pieces(void **state) {
+    (void)state;
+    mt_params params = by(MT_METHOD_JOINT);
+    for (int n = 0; n < mt_test_cases(25); n++) {
+        mt_random random = mt_random_case(n);
+        mt_arena_place place = mt_arena_mark(&arena);
+        mt_shape a = mt_random_shape(&random, &arena, 3, 12, MT_EM / 2),
+                 b = mt_random_shape(&random, &arena, 3, 12, MT_EM / 2);
+        mt_morph morph = morph_of(a, b, &params);
+        check_joint_side(&morph.a, &a);
+        check_joint_side(&morph.b, &b);
+        check_joint_links(&morph);
+        for (int i = 0; i < morph.contour_count; i++) {
+            assert_true(morph.contours[i].a.count > 0);
+            assert_int_equal(morph.contours[i].a.count, morph.contours[i].b.count);
+        }
+        mt_arena_rewind(&arena, place);
+    }
+}
+
+/* ---- figure 2 ---------------------------------------------------------------------------------------- */
+
+static const int three_bars[3][4] = {{20, 80, 80, 90}, {25, 45, 75, 55}, {0, 0, 100, 10}},
+                 two_bars[2][4] = {{20, 60, 80, 90}, {0, 0, 100, 12}};
+
+/* By the paper: 三 as three strokes and as two, the upper two of the three both into the upper of the two. */
 static void three_strokes_and_two(void **state) {
     (void)state;
-    const int three[3][4] = {{20, 80, 80, 90}, {25, 45, 75, 55}, {0, 0, 100, 10}},
-              two[2][4] = {{20, 60, 80, 90}, {0, 0, 100, 12}};
-    for (int method = MT_METHOD_JOINT; method <= MT_METHOD_PAPER; method++) {
-        mt_params params = by((mt_method)method);
-        mt_morph morph = morph_of(bars(three, 3), bars(two, 2), &params);
-        assert_int_equal(morph.matches.count, 3);
-        const mt_link *m = morph.matches.links;
-        assert_true(m[0].a == 0 && m[0].b == 0 && m[1].a == 1 && m[1].b == 0 && m[2].a == 2 && m[2].b == 1);
-        mt_shape at_a = blend_at(&morph, 0, &params), at_b = blend_at(&morph, 1, &params);
-        assert_true(area_of(&at_a) == 600 + 500 + 1000 && area_of(&at_b) == 1800 + 1200);
+    mt_params params = by(MT_METHOD_PAPER);
+    mt_morph morph = morph_of(bars(three_bars, 3), bars(two_bars, 2), &params);
+    assert_int_equal(morph.matches.count, 3);
+    const mt_link *m = morph.matches.links;
+    assert_true(m[0].a == 0 && m[0].b == 0 && m[1].a == 1 && m[1].b == 0 && m[2].a == 2 && m[2].b == 1);
+    mt_shape at_a = blend_at(&morph, 0, &params), at_b = blend_at(&morph, 1, &params);
+    assert_true(area_of(&at_a) == 600 + 500 + 1000 && area_of(&at_b) == 1800 + 1200);
+}
+
+/* Jointly each of the two has one counterpart, and the third bar closes into the ink of the other side. */
+static void three_strokes_and_two_jointly(void **state) {
+    (void)state;
+    mt_params params = by(MT_METHOD_JOINT);
+    mt_morph morph = morph_of(bars(three_bars, 3), bars(two_bars, 2), &params);
+    assert_int_equal(morph.matches.count, 2);
+    assert_int_equal(morph.contour_count, 3);
+    assert_int_equal(morph.links.count, 0);
+    for (int k = 0; k < 3; k++) assert_true(morph.a.aligned[k]);
+    for (int k = 0; k < 2; k++) assert_true(morph.b.aligned[k]);
+    mt_shape at_a = blend_at(&morph, 0, &params), at_b = blend_at(&morph, 1, &params);
+    assert_true(area_of(&at_a) == 600 + 500 + 1000 && area_of(&at_b) == 1800 + 1200);
+    assert_int_equal(at_a.count, 3);
+    assert_int_equal(at_b.count, 2);
+}
+
+/* Two bars, and an H that has them joined: the H is cut, each stem goes with a bar, and at the end it is as it was drawn, without
+ * a seam. */
+static void an_h_between_two_bars(void **state) {
+    (void)state;
+    static const int left[][2] = {{0, 0}, {100, 0}, {100, 700}, {0, 700}},
+                     right[][2] = {{160, 0}, {260, 0}, {260, 700}, {160, 700}},
+                     joined[][2] = {{0, 0},     {100, 0},   {100, 330}, {160, 330}, {160, 0},   {260, 0},
+                                    {260, 700}, {160, 700}, {160, 370}, {100, 370}, {100, 700}, {0, 700}};
+    mt_component parts[] = {mt_test_rings(&arena, 1), mt_test_rings(&arena, 1), mt_test_rings(&arena, 1)};
+    parts[0].rings[0] = mt_test_ring_of(&arena, left, 4, MT_EM / 1000);
+    parts[1].rings[0] = mt_test_ring_of(&arena, right, 4, MT_EM / 1000);
+    parts[2].rings[0] = mt_test_ring_of(&arena, joined, 12, MT_EM / 1000);
+    mt_shape stems = {2, parts}, h = {1, parts + 2};
+    mt_params params = by(MT_METHOD_JOINT);
+    mt_morph morph = morph_of(stems, h, &params), back = morph_of(h, stems, &params);
+    assert_true(morph.a.shape.count == 2 && morph.b.shape.count == 2 && morph.b.whole.count == 1);
+    assert_true(back.a.shape.count == 2 && back.b.shape.count == 2 && back.a.whole.count == 1);
+    assert_true(morph.matches.count == 2 && morph.contour_count == 2 && morph.links.count == 0);
+    assert_int_equal(outline_at(&morph, 0, &params).count, 2);
+    assert_int_equal(outline_at(&morph, 0.25, &params).count, 2);
+    for (int i = 0; i < 2; i++) {
+        mt_outline drawn = outline_at(i ? &back : &morph, i ? 0 : 1, &params);
+        assert_int_equal(drawn.count, 1);
+        assert_int_equal(drawn.contours[0].count, 12);
     }
 }
 
@@ -263,6 +357,9 @@ int main(void) {
         cmocka_unit_test(boxes_between_boxes),
         cmocka_unit_test(structure),
         cmocka_unit_test(three_strokes_and_two),
+        cmocka_unit_test(three_strokes_and_two_jointly),
+        cmocka_unit_test(aligned_components_have_no_pieces),
+        cmocka_unit_test(an_h_between_two_bars),
         cmocka_unit_test(holes_stay_open),
         cmocka_unit_test(turning_bars),
         cmocka_unit_test(rotation_is_found),
