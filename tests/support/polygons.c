@@ -31,8 +31,7 @@ mt_ring mt_test_ring(mt_arena *arena, int count) {
 
 mt_ring mt_test_ring_of(mt_arena *arena, const int (*points)[2], int count, int factor) {
     mt_ring ring = mt_test_ring(arena, count);
-    for (int i = 0; i < count; i++)
-        ring.points[i] = (mt_point){points[i][0] * factor, points[i][1] * factor};
+    for (int i = 0; i < count; i++) ring.points[i] = (mt_point){points[i][0] * factor, points[i][1] * factor};
     return ring;
 }
 
