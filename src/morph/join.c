@@ -12,7 +12,7 @@
 #define STOPS_A_RING 140.0
 
 /* How much of the half-way ink contours may cover twice, or miss. */
-#define OVERLAP_MOST 0.1
+#define OVERLAP_MOST 0.25
 
 /* ---- two rings ----------------------------------------------------------------------------------------- */
 

@@ -236,6 +236,15 @@ static mt_status pair_shares(mt_bank *banks, const mt_hints *hints, double chord
     return mt_pair_rings(&in_a, &in_b, PARTNER_MOST, chord, arena, a->partner, b->partner);
 }
 
+/* What is left of both sides goes together at any price: where one is slit open and the other is not, yet, it is high. */
+static mt_status pair_rest(mt_bank *banks, double chord, mt_arena *arena) {
+    mt_ring_list in_a, in_b;
+    mt_status status = outer_rings(&banks[0], arena, &in_a);
+    if (status == MT_OK) status = outer_rings(&banks[1], arena, &in_b);
+    if (status != MT_OK) return status;
+    return mt_pair_rings(&in_a, &in_b, INFINITY, chord, arena, banks[0].made.partner, banks[1].made.partner);
+}
+
 /* ---- cuts that do not help ------------------------------------------------------------------------------------------------- */
 
 /* A cut between a share that has no partner and another. */
@@ -353,6 +362,7 @@ mt_status mt_reconcile(const mt_side *a, const mt_side *b, const mt_hints *hints
         if (status == MT_OK) status = pair_shares(banks, hints, chord, arena);
         if (status == MT_OK) status = take_back(banks, chord, arena, &changed);
     }
+    if (status == MT_OK) status = pair_rest(banks, chord, arena);
     if (status != MT_OK) return status;
     *cut_a = banks[0].made;
     *cut_b = banks[1].made;
