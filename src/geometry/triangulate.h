@@ -18,6 +18,11 @@ typedef struct mt_mesh {
     mt_point *points; /* the component's points, ring after ring; they belong to the arena */
 } mt_mesh;
 
+/* The half-edge after `e` around its triangle. */
+static inline int mt_mesh_after(int e) {
+    return e % 3 == 2 ? e - 2 : e + 1;
+}
+
 /* Triangulates. The rings may touch at points and along edges, but not cross. MT_NO_MEMORY, MT_TOO_LARGE,
  * MT_BAD_GEOMETRY when rings cross. */
 mt_status mt_triangulate(const mt_component *component, mt_arena *arena, mt_mesh *mesh);

@@ -90,10 +90,10 @@ static mt_status add_component(const mt_component *component, int c, double chor
 #define BRIDGE_EM_PRICE 10 /* … and for each em of the way */
 
 static int edge_end(const mt_mesh *mesh, int e) {
-    return mesh->start[e % 3 == 2 ? e - 2 : e + 1];
+    return mesh->start[mt_mesh_after(e)];
 }
 
-static double bridge_length(const mt_mesh *mesh, int e) {
+static double diagonal_length(const mt_mesh *mesh, int e) {
     return sqrt((double)mt_distance2(mesh->points[mesh->start[e]], mesh->points[edge_end(mesh, e)]));
 }
 
@@ -115,7 +115,7 @@ static bool is_ear(const mt_border *b, int from, int to, double length) {
 static void list_bridges(mt_border *border, int c, double reach, int *next) {
     const mt_mesh *mesh = &border->meshes[c];
     for (int e = 0; e < 3 * mesh->triangle_count; e++) {
-        double length = bridge_length(mesh, e);
+        double length = diagonal_length(mesh, e);
         if (mesh->twin[e] < 0 || length > reach) continue;
         int from = border->first_stop[c] + mesh->start[e], to = border->first_stop[c] + edge_end(mesh, e);
         if (is_ear(border, from, to, length)) continue;
@@ -173,6 +173,10 @@ int mt_bridge_back(const mt_border *border, int bridge) {
 
 double mt_border_distance(const mt_border *border, int i, int j) {
     return sqrt((double)mt_distance2(border->places[i], border->places[j])) / MT_EM;
+}
+
+double mt_bridge_length(const mt_border *border, int bridge) {
+    return mt_border_distance(border, mt_bridge_source(border, bridge), border->bridges[bridge].to);
 }
 
 static mt_status start_border(const mt_shape *shape, double step, mt_arena *arena, mt_border *made) {

@@ -42,6 +42,9 @@ int mt_bridge_back(const mt_border *border, int bridge);
 /* How far two stops are apart, em. */
 double mt_border_distance(const mt_border *border, int i, int j);
 
+/* How long a bridge is, em. */
+double mt_bridge_length(const mt_border *border, int bridge);
+
 /* The ring that a stop is on. */
 int mt_border_ring(const mt_border *border, int stop);
 

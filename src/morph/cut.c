@@ -8,10 +8,6 @@ typedef struct mt_cutting {
     bool *traced; /* each half-edge */
 } mt_cutting;
 
-static int after(int e) {
-    return e % 3 == 2 ? e - 2 : e + 1;
-}
-
 /* Whether there is no ink of the same share beyond a half-edge, or only across a cut. */
 static bool is_shore(const mt_cutting *k, int e) {
     return k->ink->mesh->twin[e] < 0 || k->ink->cut[e];
@@ -43,8 +39,8 @@ static mt_status flood(mt_cutting *k, int *count) {
 
 /* The next half-edge of the shore: around the end of this one, through the ink. */
 static int next_on_shore(const mt_cutting *k, int e) {
-    e = after(e);
-    while (!is_shore(k, e)) e = after(k->ink->mesh->twin[e]);
+    e = mt_mesh_after(e);
+    while (!is_shore(k, e)) e = mt_mesh_after(k->ink->mesh->twin[e]);
     return e;
 }
 

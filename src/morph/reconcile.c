@@ -111,10 +111,6 @@ static mt_status keep_common_holes(const mt_side *a, const mt_side *b, mt_bank *
 #define NEAR_SHARE 1.0   /* … and more where they are long, this share of their length */
 #define KNOWN_SHARE 0.25 /* of a bridge's price, once it is known that both ways are wanted */
 
-static double bridge_length(const mt_border *b, int bridge) {
-    return mt_border_distance(b, mt_bridge_source(b, bridge), b->bridges[bridge].to);
-}
-
 /* Whether two bridges lead in opposite directions. */
 static bool lead_apart(const mt_border *b, int one, int other) {
     const mt_view *p = &b->views[mt_bridge_source(b, one)], *q = &b->views[b->bridges[one].to],
@@ -126,7 +122,7 @@ static bool lead_apart(const mt_border *b, int one, int other) {
 static int way_back(const mt_bank *bank, int bridge) {
     const mt_border *b = &bank->border;
     int from = mt_bridge_source(b, bridge), to = b->bridges[bridge].to, best = -1;
-    double least = NEAR + NEAR_SHARE * bridge_length(b, bridge);
+    double least = NEAR + NEAR_SHARE * mt_bridge_length(b, bridge);
     for (int i = 0; i < b->first_bridge[b->count]; i++) {
         if (!bank->used[i] || !lead_apart(b, bridge, i)) continue;
         double apart =
@@ -148,7 +144,7 @@ static int drawn_ends(const mt_border *b, int bridge) {
 /* Of two bridges, which is the better place to cut: at vertices of the drawing, then where it is short. */
 static int neater(const mt_border *b, int one, int other) {
     int ends = drawn_ends(b, one) - drawn_ends(b, other);
-    double longer = bridge_length(b, one) - bridge_length(b, other);
+    double longer = mt_bridge_length(b, one) - mt_bridge_length(b, other);
     if (ends != 0) return ends > 0 ? one : other;
     if (longer != 0) return longer < 0 ? one : other;
     return one < other ? one : other;
@@ -298,7 +294,7 @@ static bool frontier_at(mt_bank *banks, int side, int component, int edge, mt_fr
     if (!bank->cut[component][edge]) return false;
     int here = bank->share_of[component][edge / 3], there = bank->share_of[component][mesh->twin[edge] / 3];
     if (here == there || bank->made.partner[here] >= 0) return false;
-    int end = mesh->start[edge % 3 == 2 ? edge - 2 : edge + 1];
+    int end = mesh->start[mt_mesh_after(edge)];
     *f = (mt_frontier){bank,
                        &banks[1 - side],
                        component,

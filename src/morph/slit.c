@@ -15,10 +15,6 @@ typedef struct mt_tries {
     int bridges[TRIES];
 } mt_tries;
 
-static double bridge_length(const mt_border *b, int bridge) {
-    return mt_border_distance(b, mt_bridge_source(b, bridge), b->bridges[bridge].to);
-}
-
 /* The shortest bridge of each stretch of the hole to a ring that has a counterpart. */
 static mt_tries shortest(const mt_border *b, int hole, const mt_ring **counterpart) {
     mt_tries tries = {0};
@@ -28,7 +24,7 @@ static mt_tries shortest(const mt_border *b, int hole, const mt_ring **counterpa
         for (int i = b->first_bridge[from]; i < b->first_bridge[to]; i++) {
             int ring = mt_border_ring(b, b->bridges[i].to);
             if (ring == hole || !counterpart[ring]) continue;
-            if (best < 0 || bridge_length(b, i) < bridge_length(b, best)) best = i;
+            if (best < 0 || mt_bridge_length(b, i) < mt_bridge_length(b, best)) best = i;
         }
         if (best >= 0) tries.bridges[tries.count++] = best;
     }
