@@ -46,12 +46,22 @@ static mt_status move_to(mt_font *font, const FT_MM_Var *axes) {
     return MT_OK;
 }
 
+/* What lies on axes beyond the limit stays at the default. */
+static mt_status note_place(mt_font *font, const FT_MM_Var *axes) {
+    FT_Fixed *normalized = mt_arena_new(&font->scratch, axes->num_axis, sizeof *normalized);
+    if (!normalized) return MT_NO_MEMORY;
+    if (FT_Get_Var_Blend_Coordinates(font->face, axes->num_axis, normalized) != 0) return MT_OK;
+    font->axis_count = axes->num_axis < MT_SPEC_AXES ? (int)axes->num_axis : MT_SPEC_AXES;
+    for (int i = 0; i < font->axis_count; i++) font->place[i] = (int32_t)normalized[i];
+    return MT_OK;
+}
+
 mt_status mt_font_set_axes(mt_font *font) {
-    if (font->spec.axis_count == 0) return MT_OK;
-    if (!FT_HAS_MULTIPLE_MASTERS(font->face)) return MT_NO_AXIS;
+    if (!FT_HAS_MULTIPLE_MASTERS(font->face)) return font->spec.axis_count ? MT_NO_AXIS : MT_OK;
     FT_MM_Var *axes;
     if (FT_Get_MM_Var(font->face, &axes) != 0) return MT_NOT_A_FONT;
-    mt_status status = move_to(font, axes);
+    mt_status status = font->spec.axis_count ? move_to(font, axes) : MT_OK;
+    if (status == MT_OK) status = note_place(font, axes);
     FT_Done_MM_Var(font->library, axes);
     return status;
 }

@@ -4,10 +4,13 @@
 
 #include "font/write.h"
 
+/* B's glyph where B has none. */
+#define MT_NO_PARTNER UINT32_MAX
+
 /* A glyph of the new font: the glyphs of the two sources that it lies between. */
 typedef struct mt_pairing {
     uint32_t code_point; /* the first that leads here; 0 for .notdef */
-    uint32_t a, b;
+    uint32_t a, b;       /* b is MT_NO_PARTNER for a glyph of A's that stays as it is */
 } mt_pairing;
 
 typedef struct mt_charset {

@@ -33,6 +33,19 @@ void mt_font_names(const mt_font *font, mt_names *names);
 int64_t mt_font_modified(const mt_font *font);   /* head's time: seconds since 1904; 0 when there is none */
 uint16_t mt_font_embedding(const mt_font *font); /* OS/2 fsType */
 
+typedef struct mt_bytes {
+    const uint8_t *bytes;
+    size_t length;
+} mt_bytes;
+
+/* A table of an sfnt font, out of any container, in the arena; no bytes where the font has none of that tag or is no
+ * sfnt. Not for two threads at once. MT_NO_MEMORY. */
+mt_status mt_font_table(const mt_font *font, uint32_t tag, mt_arena *arena, mt_bytes *table);
+
+/* The place on the axes of 'fvar' that the font was opened at: normalized, after 'avar', 16.16 in -1 … 1, one an axis.
+ * Returns how many; 0 for a font that does not vary. They belong to the font. */
+int mt_font_place(const mt_font *font, const int32_t **normalized);
+
 /* The glyph of a code point; 0 when there is none. */
 uint32_t mt_font_glyph(const mt_font *font, uint32_t code_point);
 

@@ -31,6 +31,8 @@ struct mt_font {
     FT_Library library;
     FT_Face face; /* NULL when memory ran out */
 
+    int axis_count;              /* of 'fvar'; 0 where the font does not vary */
+    int32_t place[MT_SPEC_AXES]; /* normalized, 16.16 */
     int instance_name; /* the name id of the named instance that the axes are set to; -1 when there is none */
     mt_names names;
     mt_metrics metrics;

@@ -38,8 +38,8 @@ static mt_status write_tables(const mt_font_data *data, mt_summary *summary, mt_
 /* ---- the container ----------------------------------------------------------------------------------------
  */
 
-static bool add_table(hb_face_t *builder, hb_tag_t tag, const mt_table *table) {
-    hb_blob_t *blob = hb_blob_create_or_fail((const char *)table->bytes, (unsigned)table->length,
+static bool add_table(hb_face_t *builder, hb_tag_t tag, mt_bytes table) {
+    hb_blob_t *blob = hb_blob_create_or_fail((const char *)table.bytes, (unsigned)table.length,
                                              HB_MEMORY_MODE_READONLY, NULL, NULL);
     bool added = blob && hb_face_builder_add_table(builder, tag, blob);
     hb_blob_destroy(blob);
@@ -57,10 +57,13 @@ static mt_status copy_blob(hb_blob_t *blob, uint8_t **bytes, size_t *length) {
     return MT_OK;
 }
 
-static mt_status assemble(const mt_table *tables, uint8_t **bytes, size_t *length) {
+static mt_status assemble(const mt_font_data *data, const mt_table *tables, uint8_t **bytes, size_t *length) {
     hb_face_t *builder = hb_face_builder_create();
     bool added = true;
-    for (int i = 0; i < TABLE_COUNT && added; i++) added = add_table(builder, writers[i].tag, &tables[i]);
+    for (int i = 0; i < TABLE_COUNT && added; i++)
+        added = add_table(builder, writers[i].tag, (mt_bytes){tables[i].bytes, tables[i].length});
+    for (int i = 0; i < data->extra_count && added; i++)
+        added = add_table(builder, data->extras[i].tag, data->extras[i].data);
     mt_status status = MT_NO_MEMORY;
     if (added) {
         hb_blob_t *blob = hb_face_reference_blob(builder);
@@ -83,7 +86,7 @@ mt_status mt_font_write(const mt_font_data *data, uint8_t **bytes, size_t *lengt
     if (!summary.offsets) return MT_NO_MEMORY;
     mt_summarise(data, &summary);
     status = write_tables(data, &summary, tables);
-    if (status == MT_OK) status = assemble(tables, bytes, length);
+    if (status == MT_OK) status = assemble(data, tables, bytes, length);
     for (int i = 0; i < TABLE_COUNT; i++) mt_table_free(&tables[i]);
     mt_free(summary.offsets);
     return status;

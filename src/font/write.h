@@ -22,6 +22,14 @@ typedef struct mt_char {
     uint16_t glyph;
 } mt_char;
 
+/* A table that was made elsewhere and goes into the font as it is. */
+typedef struct mt_extra_table {
+    uint32_t tag;
+    mt_bytes data;
+} mt_extra_table;
+
+enum { MT_EXTRA_TABLES_MAX = 16 };
+
 typedef struct mt_font_data {
     int units;       /* per em, 16 … 16384 */
     int glyph_count; /* 1 … MT_GLYPHS_MAX; glyph 0 is .notdef */
@@ -31,12 +39,14 @@ typedef struct mt_font_data {
     mt_metrics metrics;
     int64_t created, modified; /* seconds since 1904 */
     uint16_t embedding;        /* OS/2 fsType */
+    int extra_count;
+    mt_extra_table extras[MT_EXTRA_TABLES_MAX]; /* none of a tag that is written here, none empty */
     /* UTF-8; NULL ones are left out. The first three are required. */
     const char *family, *style, *unique_id, *version, *copyright, *license, *license_url, *description;
 } mt_font_data;
 
-/* Writes glyf, loca, hmtx, cmap (formats 4 and 12), head, hhea, maxp, OS/2, post and name, into bytes for
- * mt_bytes_free. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_PARAMETER. */
+/* Writes glyf, loca, hmtx, cmap (formats 4 and 12), head, hhea, maxp, OS/2, post, name and the extra tables, into bytes
+ * for mt_bytes_free. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_PARAMETER. */
 mt_status mt_font_write(const mt_font_data *data, uint8_t **bytes, size_t *length);
 
 #endif
