@@ -7,9 +7,13 @@
 #include "morph/align.h"
 #include "morph/holes.h"
 #include "morph/masters.h"
+#include "morph/smooth.h"
 
 /* Places along a ring that are aligned, at least; more where the drawing has more vertices. */
 #define STOPS_A_RING 140.0
+
+/* How far a master may depart from its curve for the sake of smoothness on the way, in tolerances of the fit. */
+#define SMOOTHING 2.0
 
 /* How much of the half-way ink contours may cover twice, or miss. */
 #define OVERLAP_MOST 0.25
@@ -27,7 +31,9 @@ static mt_status join_rings(mt_joining *j, const mt_ring *p, const mt_ring *q, m
     if (status == MT_OK) status = mt_align(&a, j->a.box, &b, j->b.box, &pins, j->arena, &alignment);
     if (status != MT_OK) return status;
     j->dearest = fmax(j->dearest, alignment.cost);
-    return mt_masters_fit(&a, &b, &alignment, mt_grid_units(j->params->fit), j->arena, masters);
+    double fit = mt_grid_units(j->params->fit);
+    status = mt_masters_fit(&a, &b, &alignment, fit, j->arena, masters);
+    return status == MT_OK ? mt_masters_smooth(masters, SMOOTHING * fit, j->arena) : status;
 }
 
 /* ---- whether it can be drawn --------------------------------------------------------------------------- */

@@ -76,3 +76,10 @@ mt_status mt_pair_rings(const mt_ring_list *a, const mt_ring_list *b, double mos
     }
     return MT_OK;
 }
+
+mt_status mt_outer_rings(const mt_shape *shape, mt_box box, mt_arena *arena, mt_ring_list *list) {
+    *list = (mt_ring_list){shape->count, mt_arena_new(arena, (size_t)shape->count, sizeof(mt_ring *)), box};
+    if (!list->rings) return MT_NO_MEMORY;
+    for (int i = 0; i < shape->count; i++) list->rings[i] = &shape->components[i].rings[0];
+    return MT_OK;
+}

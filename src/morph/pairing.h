@@ -21,4 +21,7 @@ mt_status mt_pair_rings(const mt_ring_list *a, const mt_ring_list *b, double mos
 mt_status mt_pair_price(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q, double chord,
                         mt_arena *arena, double *price);
 
+/* The outer rings of a shape's components, in its glyph's box. MT_NO_MEMORY. */
+mt_status mt_outer_rings(const mt_shape *shape, mt_box box, mt_arena *arena, mt_ring_list *list);
+
 #endif

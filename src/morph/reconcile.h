@@ -2,17 +2,11 @@
 #ifndef MT_RECONCILE_H
 #define MT_RECONCILE_H
 
-#include "morph/morph.h"
+#include "morph/shares.h"
 
-/* One side, cut into shares. */
-typedef struct mt_cut_side {
-    mt_shape shares;
-    int *partner; /* of each share, that of the other side; -1 where none is */
-} mt_cut_side;
-
-/* Walks around every ring of each side on the border of the other (walk.h), cuts where walkers cross the ink both ways, pairs
- * what comes of it (as the hints say, then by pairing.h), and takes back the cuts that do not help. `hints` is not NULL. MT_NO_MEMORY, MT_TOO_LARGE,
- * MT_BAD_GEOMETRY. */
+/* Cuts both sides into shares (shares.h), and what finds no partner then, or none that is like it, once more by itself:
+ * what is in order no longer stands in its way. What is left of both sides at last goes together at any price. `hints` is
+ * not NULL. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
 mt_status mt_reconcile(const mt_side *a, const mt_side *b, const mt_hints *hints, const mt_params *params,
                        mt_arena *arena, mt_cut_side *cut_a, mt_cut_side *cut_b);
 

@@ -2,6 +2,7 @@
 
 import html.parser
 import json
+import string
 import unittest
 
 import cli
@@ -74,6 +75,10 @@ class Data(cli.Test):
             for place in glyphs[character]['between'] + [glyphs[character]['a'], glyphs[character]['b']]:
                 self.assertEqual((place['components'], place['holes']), (components, holes), character)
         self.assertFalse(has_flag(glyphs['H'], *FLAGS))
+
+    def test_letters_and_digits_need_no_look(self):
+        data = self.report('--text', string.ascii_letters + string.digits)
+        self.assertEqual([glyph['character'] for glyph in data['glyphs'] if glyph['flags']], [])
 
     def test_ink_of_the_ends_is_that_of_the_glyphs(self):
         report = {glyph['character']: glyph for glyph in self.report('--text', 'oRg')['glyphs']}

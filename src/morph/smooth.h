@@ -1,0 +1,14 @@
+/* No kinks on the way. */
+#ifndef MT_SMOOTH_H
+#define MT_SMOOTH_H
+
+#include "morph/masters.h"
+
+/* Where both masters run smoothly through a node but head differently, the contour between them has a kink there, unless
+ * the handles on both sides of the node have the same ratio in both masters: then the mixed handles stay in line for
+ * every T. Moves such nodes along their own tangents to a common ratio, as far as no master departs from its curve by more
+ * than `tolerance` (grid units). Ends and order of the segments stay; so does everything when A and B are swapped.
+ * MT_NO_MEMORY. */
+mt_status mt_masters_smooth(mt_masters *masters, double tolerance, mt_arena *arena);
+
+#endif
