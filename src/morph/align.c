@@ -87,14 +87,6 @@ mt_view mt_view_of(const mt_stop *s, mt_box box) {
                      .turn_y = sin(s->out - s->in)};
 }
 
-double mt_price(const mt_tariff *t, const mt_view *a, const mt_view *b) {
-    double same = a->in_x * b->in_x + a->in_y * b->in_y + a->out_x * b->out_x + a->out_y * b->out_y;
-    double alike = a->turn_x * b->turn_x + a->turn_y * b->turn_y;
-    double dx = a->x - b->x, dy = a->y - b->y;
-    return t->direction * (2 - same) / 4 + t->distance * sqrt(dx * dx + dy * dy) +
-           t->corner * (1 - alike) / 2;
-}
-
 typedef struct mt_views {
     int count;
     mt_view *views;

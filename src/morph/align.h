@@ -3,6 +3,8 @@
 #ifndef MT_ALIGN_H
 #define MT_ALIGN_H
 
+#include <math.h>
+
 #include "geometry/trace.h"
 #include "morph/morph.h"
 
@@ -43,7 +45,14 @@ typedef struct mt_tariff {
     double corner;    /* for a corner that turns about one way with one that turns about the other */
 } mt_tariff;
 
-double mt_price(const mt_tariff *tariff, const mt_view *a, const mt_view *b);
+/* Inline: the alignments and the walks spend a good part of their time here. */
+static inline double mt_price(const mt_tariff *t, const mt_view *a, const mt_view *b) {
+    double same = a->in_x * b->in_x + a->in_y * b->in_y + a->out_x * b->out_x + a->out_y * b->out_y;
+    double alike = a->turn_x * b->turn_x + a->turn_y * b->turn_y;
+    double dx = a->x - b->x, dy = a->y - b->y;
+    return t->direction * (2 - same) / 4 + t->distance * sqrt(dx * dx + dy * dy) +
+           t->corner * (1 - alike) / 2;
+}
 
 /* What it costs beside that one stop moves on while the other waits. */
 #define MT_WAIT_PRICE 0.02

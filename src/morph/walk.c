@@ -10,12 +10,24 @@ static const mt_tariff tariff = {.direction = 1, .distance = 4, .corner = 0};
 /* How a cell was reached. From a bridge on, it is the bridge's number. */
 enum { START, STAY, BOTH, ALONG, BRIDGE };
 
+/* The views of the border's stops. */
+typedef struct mt_columns {
+    double *x, *y, *in_x, *in_y, *out_x, *out_y;
+} mt_columns;
+
 typedef struct mt_walker {
     const mt_border *from, *to;
+    mt_columns columns;
     int first, n; /* the stops of the ring */
     int start;    /* the stop of the ring to start at */
-    int *before;  /* of each stop of the border, the one before it on its ring */
+    int *before;  /* of each stop of the border, the one before it on its ring … */
+    int *after;   /* … and the one after it */
     int *source;  /* of each bridge, the stop that it leaves */
+    int *first_open,
+        *open; /* of each stop, the bridges from it that are not barred: open[first_open[j] … first_open[j + 1]) */
+    int gate_count, *gates;  /* the stops that have such bridges */
+    int later_count, *later; /* stops whose bridges are to be looked at again … */
+    bool *waits;             /* … and whether a stop is one of them */
     double *cost[2];
     float *price; /* of this stop of the ring with each of the border */
     int32_t *how; /* (n + 1) × to->count */
@@ -25,48 +37,73 @@ static int32_t *row_of(const mt_walker *w, int i) {
     return w->how + (size_t)i * (size_t)w->to->count;
 }
 
+/* Notes that a stop's bridges are to be looked at, if it has any. */
+static void look_later(mt_walker *w, int j) {
+    if (w->waits[j] || w->first_open[j] == w->first_open[j + 1]) return;
+    w->waits[j] = true;
+    w->later[w->later_count++] = j;
+}
+
 /* ---- one row ----------------------------------------------------------------------------------------------------- */
 
+/* As mt_price, for all stops of the border, column by column: half of a walk's time goes here. */
 static void price_row(mt_walker *w, int i) {
     const mt_view *here = &w->from->views[w->first + (w->start + i) % w->n];
-    for (int j = 0; j < w->to->count; j++) w->price[j] = (float)mt_price(&tariff, here, &w->to->views[j]);
-}
-
-/* Along the rings of the border, while the ring's walker waits. */
-static bool go_along(mt_walker *w, double *cost, int32_t *how) {
-    bool changed = false;
-    for (int r = 0; r < w->to->ring_count; r++) {
-        int low = w->to->first_of_ring[r], high = w->to->first_of_ring[r + 1], j = high - 1;
-        for (int k = low; k < high; j = k++) {
-            double by = cost[j] + MT_WAIT_PRICE + (double)w->price[k];
-            if (by >= cost[k]) continue;
-            cost[k] = by;
-            how[k] = ALONG;
-            changed = true;
-        }
+    const mt_columns *c = &w->columns;
+    for (int j = 0; j < w->to->count; j++) {
+        double same = here->in_x * c->in_x[j] + here->in_y * c->in_y[j] + here->out_x * c->out_x[j] +
+                      here->out_y * c->out_y[j];
+        double dx = here->x - c->x[j], dy = here->y - c->y[j];
+        w->price[j] = (float)(tariff.direction * (2 - same) / 4 + tariff.distance * sqrt(dx * dx + dy * dy));
     }
-    return changed;
 }
 
-static bool go_across(mt_walker *w, double *cost, int32_t *how) {
-    bool changed = false;
-    for (int j = 0; j < w->to->count; j++)
-        for (int b = w->to->first_bridge[j]; b < w->to->first_bridge[j + 1]; b++) {
-            double by = cost[j] + w->to->bridges[b].price + (double)w->price[w->to->bridges[b].to];
-            if (by >= cost[w->to->bridges[b].to]) continue;
-            cost[w->to->bridges[b].to] = by;
-            how[w->to->bridges[b].to] = BRIDGE + b;
-            changed = true;
-        }
-    return changed;
+/* Along the ring of the border from stop j on, while the ring's walker waits, as long as that is cheaper. What it reaches has
+ * its bridges to look at. */
+static void go_on_from(mt_walker *w, int j, double *cost, int32_t *how) {
+    for (;;) {
+        int k = w->after[j];
+        double by = cost[j] + MT_WAIT_PRICE + (double)w->price[k];
+        if (by >= cost[k]) return;
+        cost[k] = by;
+        how[k] = ALONG;
+        look_later(w, k);
+        j = k;
+    }
+}
+
+/* Once along a ring of the border from its cheapest stop, to which no way along the ring can be cheaper. */
+static void go_along(mt_walker *w, int ring, double *cost, int32_t *how) {
+    int low = w->to->first_of_ring[ring], high = w->to->first_of_ring[ring + 1], least = low;
+    for (int j = low + 1; j < high; j++)
+        if (cost[j] < cost[least]) least = j;
+    for (int j = least, k = w->after[j]; k != least; j = k, k = w->after[j]) {
+        double by = cost[j] + MT_WAIT_PRICE + (double)w->price[k];
+        if (by >= cost[k]) continue;
+        cost[k] = by;
+        how[k] = ALONG;
+    }
+}
+
+static void go_across(mt_walker *w, int j, double *cost, int32_t *how) {
+    for (int i = w->first_open[j]; i < w->first_open[j + 1]; i++) {
+        int b = w->open[i], to = w->to->bridges[b].to;
+        double by = cost[j] + w->to->bridges[b].price + (double)w->price[to];
+        if (by >= cost[to]) continue;
+        cost[to] = by;
+        how[to] = BRIDGE + b;
+        look_later(w, to);
+        go_on_from(w, to, cost, how);
+    }
 }
 
 static void settle_row(mt_walker *w, double *cost, int32_t *how) {
-    bool changed = true;
-    while (changed) {
-        while (go_along(w, cost, how)) {
-        }
-        changed = go_across(w, cost, how);
+    for (int r = 0; r < w->to->ring_count; r++) go_along(w, r, cost, how);
+    for (int i = 0; i < w->gate_count; i++) go_across(w, w->gates[i], cost, how);
+    while (w->later_count > 0) {
+        int j = w->later[--w->later_count];
+        w->waits[j] = false;
+        go_across(w, j, cost, how);
     }
 }
 
@@ -75,10 +112,14 @@ static void next_row(mt_walker *w, int i) {
     double *cost = w->cost[i % 2];
     int32_t *how = row_of(w, i);
     price_row(w, i);
-    for (int j = 0; j < w->to->count; j++) {
-        double stay = last[j] + MT_WAIT_PRICE, both = last[w->before[j]];
-        cost[j] = fmin(stay, both) + (double)w->price[j];
-        how[j] = stay < both ? STAY : BOTH;
+    for (int r = 0; r < w->to->ring_count; r++) {
+        double both = last[w->to->first_of_ring[r + 1] - 1];
+        for (int j = w->to->first_of_ring[r]; j < w->to->first_of_ring[r + 1]; j++) {
+            double stay = last[j] + MT_WAIT_PRICE;
+            cost[j] = (stay < both ? stay : both) + (double)w->price[j];
+            how[j] = stay < both ? STAY : BOTH;
+            both = last[j];
+        }
     }
     settle_row(w, cost, how);
 }
@@ -119,25 +160,72 @@ static int read_back(const mt_walker *w, int end, mt_pace *paces, int room) {
     }
 }
 
+/* The rings of the border as chains of stops. */
+static void chain_stops(mt_walker *w) {
+    for (int r = 0; r < w->to->ring_count; r++) {
+        int low = w->to->first_of_ring[r], high = w->to->first_of_ring[r + 1];
+        for (int j = low; j < high; j++) {
+            w->before[j] = j > low ? j - 1 : high - 1;
+            w->after[j] = j + 1 < high ? j + 1 : low;
+        }
+    }
+}
+
+static void list_open_bridges(mt_walker *w) {
+    int open = 0;
+    for (int j = 0; j < w->to->count; j++) {
+        w->first_open[j] = open;
+        for (int b = w->to->first_bridge[j]; b < w->to->first_bridge[j + 1]; b++) {
+            w->source[b] = j;
+            if (w->to->bridges[b].price < INFINITY) w->open[open++] = b;
+        }
+        if (open > w->first_open[j]) w->gates[w->gate_count++] = j;
+    }
+    w->first_open[w->to->count] = open;
+}
+
+static mt_status fill_columns(mt_walker *w, mt_arena *arena) {
+    size_t m = (size_t)w->to->count;
+    double *room = mt_arena_new(arena, 6 * m, sizeof *room);
+    if (!room) return MT_NO_MEMORY;
+    mt_columns *c = &w->columns;
+    *c = (mt_columns){room, room + m, room + 2 * m, room + 3 * m, room + 4 * m, room + 5 * m};
+    for (size_t j = 0; j < m; j++) {
+        const mt_view *view = &w->to->views[j];
+        c->x[j] = view->x;
+        c->y[j] = view->y;
+        c->in_x[j] = view->in_x;
+        c->in_y[j] = view->in_y;
+        c->out_x[j] = view->out_x;
+        c->out_y[j] = view->out_y;
+    }
+    return MT_OK;
+}
+
 static mt_status start_walker(const mt_border *from, int ring, const mt_border *to, mt_arena *arena,
                               mt_walker *w) {
     *w = (mt_walker){.from = from, .to = to, .first = from->first_of_ring[ring]};
     w->n = from->first_of_ring[ring + 1] - w->first;
-    size_t m = (size_t)to->count, cells = ((size_t)w->n + 1) * m;
+    size_t m = (size_t)to->count, cells = ((size_t)w->n + 1) * m,
+           bridges = (size_t)to->first_bridge[to->count];
     if (cells > MT_ALIGNMENT_MAX) return MT_TOO_LARGE;
-    w->before = mt_arena_new(arena, m, sizeof *w->before);
-    w->source = mt_arena_new(arena, (size_t)to->first_bridge[to->count] + 1, sizeof *w->source);
-    w->cost[0] = mt_arena_new(arena, m, sizeof(double));
-    w->cost[1] = mt_arena_new(arena, m, sizeof(double));
+    int *numbers = mt_arena_new(arena, 5 * m + 1 + 2 * bridges, sizeof *numbers);
+    w->waits = mt_arena_new(arena, m, sizeof *w->waits);
+    w->cost[0] = mt_arena_new(arena, 2 * m, sizeof(double));
     w->price = mt_arena_new(arena, m, sizeof *w->price);
     w->how = mt_arena_new(arena, cells, sizeof *w->how);
-    if (!w->before || !w->source || !w->cost[0] || !w->cost[1] || !w->price || !w->how) return MT_NO_MEMORY;
-    for (int r = 0; r < to->ring_count; r++)
-        for (int j = to->first_of_ring[r]; j < to->first_of_ring[r + 1]; j++)
-            w->before[j] = j > to->first_of_ring[r] ? j - 1 : to->first_of_ring[r + 1] - 1;
-    for (int j = 0; j < to->count; j++)
-        for (int b = to->first_bridge[j]; b < to->first_bridge[j + 1]; b++) w->source[b] = j;
-    return MT_OK;
+    if (!numbers || !w->waits || !w->cost[0] || !w->price || !w->how) return MT_NO_MEMORY;
+    w->before = numbers;
+    w->after = w->before + m;
+    w->gates = w->after + m;
+    w->later = w->gates + m;
+    w->first_open = w->later + m;
+    w->open = w->first_open + m + 1;
+    w->source = w->open + bridges;
+    w->cost[1] = w->cost[0] + m;
+    chain_stops(w);
+    list_open_bridges(w);
+    return fill_columns(w, arena);
 }
 
 /* The surest pace of a walk: where the two stops are most alike. */
