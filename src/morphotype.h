@@ -133,8 +133,11 @@ MT_API mt_status mt_blend_font(mt_blend *blend, double t, uint8_t **bytes, size_
  * matched once. Fills bytes[count] and lengths[count], or none of them. */
 MT_API mt_status mt_blend_fonts(mt_blend *blend, const double *t, int count, uint8_t **bytes,
                                 size_t *lengths);
-/* The font at t, written to `path` (.ttf) whole or not at all. */
+/* The font at t, written to `path` whole or not at all, in the format of its extension: .ttf, .woff2, or .ufo, which is
+ * a directory and takes the place of another UFO only. MT_UNKNOWN_FORMAT for any other, MT_CANNOT_WRITE. */
 MT_API mt_status mt_blend_save(mt_blend *blend, double t, const char *path);
+/* Fonts at `count` places in one go, paths[i] for t[i]: all of them or none. */
+MT_API mt_status mt_blend_save_fonts(mt_blend *blend, const double *t, int count, const char *const *paths);
 MT_API void mt_bytes_free(uint8_t *bytes);
 
 /* One glyph, drawn through callbacks in font units of mt_blend_units_per_em. Contours are closed; quadratic

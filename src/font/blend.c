@@ -11,9 +11,9 @@
 #include <unistd.h>
 
 #include "font/charset.h"
-#include "font/file.h"
 #include "font/pair.h"
 #include "font/recipe.h"
+#include "font/save.h"
 #include "geometry/limits.h"
 
 struct mt_blend {
@@ -143,6 +143,8 @@ typedef struct mt_job {
     const mt_charset *charset;
     const double *t;
     int t_count, units;
+    mt_font_ready ready;
+    void *user;
     mt_glyf **glyphs; /* for each T, one for each glyph of the charset */
     atomic_int next, done;
     atomic_int status;     /* the first that stops everything */
@@ -268,7 +270,7 @@ static mt_status run(mt_job *job, mt_worker *workers, int count) {
 
 /* ---- fonts --------------------------------------------------------------------------------------------- */
 
-static mt_status write_font(const mt_job *job, int i, mt_arena *arena, uint8_t **bytes, size_t *length) {
+static mt_status hand_over(const mt_job *job, int i, mt_arena *arena) {
     const mt_charset *charset = job->charset;
     mt_font_data data = {.units = job->units,
                          .glyph_count = charset->glyph_count,
@@ -277,17 +279,13 @@ static mt_status write_font(const mt_job *job, int i, mt_arena *arena, uint8_t *
                          .chars = charset->chars};
     mt_status status =
         mt_recipe_fill(job->blend->a, job->blend->b, job->t[i], job->blend->family, arena, &data);
-    return status == MT_OK ? mt_font_write(&data, bytes, length) : status;
+    return status == MT_OK ? job->ready(&data, i, job->user) : status;
 }
 
-static mt_status write_fonts(const mt_job *job, mt_arena *arena, uint8_t **bytes, size_t *lengths) {
-    for (int i = 0; i < job->t_count; i++) {
-        mt_status status = write_font(job, i, arena, &bytes[i], &lengths[i]);
-        if (status == MT_OK) continue;
-        while (i-- > 0) mt_bytes_free(bytes[i]);
-        return status;
-    }
-    return MT_OK;
+static mt_status hand_over_all(const mt_job *job, mt_arena *arena) {
+    mt_status status = MT_OK;
+    for (int i = 0; i < job->t_count && status == MT_OK; i++) status = hand_over(job, i, arena);
+    return status;
 }
 
 static mt_status start_job(mt_job *job, mt_arena *arena) {
@@ -300,7 +298,7 @@ static mt_status start_job(mt_job *job, mt_arena *arena) {
     return MT_OK;
 }
 
-static mt_status blend_fonts(mt_job *job, mt_arena *arena, uint8_t **bytes, size_t *lengths) {
+static mt_status make_fonts(mt_job *job, mt_arena *arena) {
     mt_charset charset;
     mt_blend *blend = job->blend;
     mt_status status =
@@ -312,31 +310,46 @@ static mt_status blend_fonts(mt_job *job, mt_arena *arena, uint8_t **bytes, size
     mt_worker *workers = mt_arena_new(arena, (size_t)count, sizeof *workers);
     if (!workers) return MT_NO_MEMORY;
     status = run(job, workers, count);
-    if (status == MT_OK) status = write_fonts(job, arena, bytes, lengths);
+    if (status == MT_OK) status = hand_over_all(job, arena);
     for (int i = 0; i < count; i++) mt_arena_release(&workers[i].kept);
     return status;
 }
 
-mt_status mt_blend_fonts(mt_blend *blend, const double *t, int count, uint8_t **bytes, size_t *lengths) {
+mt_status mt_blend_make(mt_blend *blend, const double *t, int count, mt_font_ready ready, void *user) {
     for (int i = 0; i < count; i++)
         if (!is_place(t[i])) return MT_BAD_PARAMETER;
     mt_arena arena = {0};
-    mt_job job = {.blend = blend, .t = t, .t_count = count, .units = mt_blend_units_per_em(blend)};
-    mt_status status = blend_fonts(&job, &arena, bytes, lengths);
+    mt_job job = {.blend = blend,
+                  .t = t,
+                  .t_count = count,
+                  .units = mt_blend_units_per_em(blend),
+                  .ready = ready,
+                  .user = user};
+    mt_status status = make_fonts(&job, &arena);
     mt_arena_release(&arena);
+    return status;
+}
+
+typedef struct mt_font_bytes {
+    uint8_t **bytes;
+    size_t *lengths;
+    int count;
+} mt_font_bytes;
+
+static mt_status keep_bytes(const mt_font_data *data, int index, void *user) {
+    mt_font_bytes *fonts = user;
+    mt_status status = mt_font_write(data, &fonts->bytes[index], &fonts->lengths[index]);
+    if (status == MT_OK) fonts->count++;
+    return status;
+}
+
+mt_status mt_blend_fonts(mt_blend *blend, const double *t, int count, uint8_t **bytes, size_t *lengths) {
+    mt_font_bytes fonts = {bytes, lengths, 0};
+    mt_status status = mt_blend_make(blend, t, count, keep_bytes, &fonts);
+    while (status != MT_OK && fonts.count > 0) mt_bytes_free(bytes[--fonts.count]);
     return status;
 }
 
 mt_status mt_blend_font(mt_blend *blend, double t, uint8_t **bytes, size_t *length) {
     return mt_blend_fonts(blend, &t, 1, bytes, length);
-}
-
-mt_status mt_blend_save(mt_blend *blend, double t, const char *path) {
-    uint8_t *bytes;
-    size_t length;
-    mt_status status = mt_blend_font(blend, t, &bytes, &length);
-    if (status != MT_OK) return status;
-    status = mt_file_write(path, bytes, length);
-    mt_bytes_free(bytes);
-    return status;
 }

@@ -1,8 +1,7 @@
 /* The font as a whole: 'head', 'maxp' and 'post'. */
 #include "write_tables.h"
 
-/* The first decimal number of the version text, such as 1.25 of "Version 1.25; …"; 1 without one. */
-static double revision(const char *version) {
+double mt_font_revision(const char *version) {
     double value = 0, place = 1;
     while (version && *version && (*version < '0' || *version > '9')) version++;
     if (!version || !*version) return 1;
@@ -16,7 +15,7 @@ static double revision(const char *version) {
 void mt_write_head(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
     enum { BASELINE_AT_0 = 1, LEFT_BEARING_AT_0 = 2, SMALLEST_READABLE = 8, STRONGLY_LEFT_TO_RIGHT = 2 };
     mt_table_32(table, 0x00010000);
-    mt_table_fixed(table, revision(data->version));
+    mt_table_fixed(table, mt_font_revision(data->version));
     mt_table_32(table, 0);
     mt_table_32(table, 0x5F0F3CF5); /* magicNumber */
     mt_table_16(table, BASELINE_AT_0 | LEFT_BEARING_AT_0);

@@ -44,6 +44,13 @@ void mt_write_os2(const mt_font_data *data, const mt_summary *summary, mt_table 
 void mt_write_post(const mt_font_data *data, const mt_summary *summary, mt_table *table);
 void mt_write_name(const mt_font_data *data, const mt_summary *summary, mt_table *table);
 
+/* write_head.c: the first decimal number of the version text, such as 1.25 of "Version 1.25; …"; 1 without one. */
+double mt_font_revision(const char *version);
+
+/* write_name.c: FAMILY-STYLE, the family cut short where both do not fit. */
+enum { MT_POSTSCRIPT_NAME_ROOM = 64 };
+void mt_postscript_name(const mt_font_data *data, char name[MT_POSTSCRIPT_NAME_ROOM]);
+
 /* write_glyf.c: whether loca needs 32-bit offsets; known when glyf is written. */
 bool mt_loca_is_long(const mt_font_data *data, const mt_summary *summary);
 
