@@ -38,9 +38,14 @@ void mt_write_maxp(const mt_font_data *data, const mt_summary *summary, mt_table
     mt_table_16(table, data->glyph_count);
     mt_table_16(table, summary->max_points);
     mt_table_16(table, summary->max_contours);
-    mt_table_zeros(table, 4);  /* of composite glyphs: there are none */
-    mt_table_16(table, 1);     /* maxZones */
-    mt_table_zeros(table, 16); /* of instructions, and of composite glyphs */
+    mt_table_16(table, summary->max_composite_points);
+    mt_table_16(table, summary->max_composite_contours);
+    mt_table_16(table, 1);    /* maxZones */
+    mt_table_zeros(table, 8); /* of the instructions' storage and functions: there are none */
+    mt_table_16(table, 1);    /* maxStackElements: prep's */
+    mt_table_16(table, 0);    /* maxSizeOfInstructions: of glyphs */
+    mt_table_16(table, summary->max_references);
+    mt_table_16(table, summary->max_depth);
 }
 
 /* Version 3: without glyph names. */
