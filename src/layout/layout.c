@@ -38,22 +38,30 @@ static int list_systems(mt_bytes scripts, mt_system *systems) {
     return count;
 }
 
-enum { SYSTEMS_MAX = 4096 }; /* more is no font: the largest have some hundreds */
+/* More is no font: the largest have some hundred systems and lookups, each system some hundred features. */
+enum { SYSTEMS_MAX = 4096, LOOKUPS_MAX = 4096, ENTRIES_MAX = 65536 };
+
+static int64_t count_entries(const mt_layout *layout) {
+    int64_t count = 0;
+    for (int i = 0; i < layout->system_count; i++) count += layout->systems[i].feature_count;
+    for (int i = 0; i < layout->feature_count; i++) count += mt_feature_lookup_count(layout, i);
+    return count;
+}
 
 mt_status mt_layout_open(mt_bytes table, int extension, mt_arena *arena, mt_layout *layout) {
     mt_layout made = {.extension = extension};
-    if (mt_ot_u16(table, 0) == 1) {
-        mt_bytes scripts = mt_ot_follow(table, 4);
-        int count = list_systems(scripts, NULL);
-        if (count <= SYSTEMS_MAX) {
-            made.systems = mt_arena_new(arena, (size_t)count + 1, sizeof *made.systems);
-            if (!made.systems) return MT_NO_MEMORY;
-            made.system_count = list_systems(scripts, made.systems);
-        }
+    mt_bytes scripts = mt_ot_u16(table, 0) == 1 ? mt_ot_follow(table, 4) : (mt_bytes){0};
+    int count = list_systems(scripts, NULL);
+    if (count > 0 && count <= SYSTEMS_MAX) {
+        made.systems = mt_arena_new(arena, (size_t)count, sizeof *made.systems);
+        if (!made.systems) return MT_NO_MEMORY;
+        made.system_count = list_systems(scripts, made.systems);
         made.features = mt_ot_follow(table, 6);
         made.lookups = mt_ot_follow(table, 8);
         made.feature_count = mt_ot_fit(made.features, 2, mt_ot_u16(made.features, 0), 6);
         made.lookup_count = mt_ot_fit(made.lookups, 2, mt_ot_u16(made.lookups, 0), 2);
+        if (made.lookup_count > LOOKUPS_MAX || count_entries(&made) > ENTRIES_MAX)
+            made = (mt_layout){.extension = extension};
     }
     *layout = made;
     return MT_OK;
@@ -101,7 +109,7 @@ int mt_feature_lookup(const mt_layout *layout, int feature, int i) {
     return lookup < layout->lookup_count ? lookup : -1;
 }
 
-static bool feature_has(const mt_layout *layout, int feature, int lookup) {
+bool mt_feature_has(const mt_layout *layout, int feature, int lookup) {
     int count = mt_feature_lookup_count(layout, feature);
     for (int i = 0; i < count; i++)
         if (mt_feature_lookup(layout, feature, i) == lookup) return true;
@@ -111,7 +119,7 @@ static bool feature_has(const mt_layout *layout, int feature, int lookup) {
 bool mt_system_has(const mt_layout *layout, const mt_system *system, uint32_t tag, int lookup) {
     for (int i = 0; i <= system->feature_count; i++) {
         int feature = mt_system_feature(layout, system, i);
-        if (feature >= 0 && mt_feature_tag(layout, feature) == tag && feature_has(layout, feature, lookup))
+        if (feature >= 0 && mt_feature_tag(layout, feature) == tag && mt_feature_has(layout, feature, lookup))
             return true;
     }
     return false;

@@ -26,7 +26,7 @@ typedef struct mt_layout {
     mt_bytes features, lookups; /* FeatureList, LookupList */
 } mt_layout;
 
-/* An empty or malformed table has no systems or lookups. `extension` is the type of the table's extension lookups.
+/* An empty or malformed table, or one with thousands of systems or lookups, has none at all. `extension` is the type of the table's extension lookups.
  * MT_NO_MEMORY. */
 mt_status mt_layout_open(mt_bytes table, int extension, mt_arena *arena, mt_layout *layout);
 

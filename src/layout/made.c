@@ -76,23 +76,15 @@ mt_status mt_table_keep(mt_table *table, mt_arena *arena, mt_bytes *bytes) {
 
 /* ---- lookups ------------------------------------------------------------------------------------------- */
 
-static bool is_listed(const mt_member *members, int count, mt_member member) {
-    for (int i = 0; i < count; i++)
-        if (members[i].system == member.system && members[i].feature == member.feature) return true;
-    return false;
-}
-
-/* Counts only, those that come twice too, where `members` is NULL. */
-static int list_members(const mt_layout *layout, int lookup, mt_member *members) {
+/* Counts only where `members` is NULL. */
+static int list_members(const mt_layout *layout, const bool *has, mt_member *members) {
     int count = 0;
     for (int s = 0; s < layout->system_count; s++) {
         const mt_system *system = &layout->systems[s];
         for (int i = 0; i <= system->feature_count; i++) {
             int feature = mt_system_feature(layout, system, i);
-            if (feature < 0 || !mt_feature_has(layout, feature, lookup)) continue;
-            mt_member member = {s, mt_feature_tag(layout, feature)};
-            if (members && is_listed(members, count, member)) continue;
-            if (members) members[count] = member;
+            if (feature < 0 || !has[feature]) continue;
+            if (members) members[count] = (mt_member){s, mt_feature_tag(layout, feature)};
             count++;
         }
     }
@@ -101,10 +93,13 @@ static int list_members(const mt_layout *layout, int lookup, mt_member *members)
 
 mt_status mt_members_of(const mt_layout *layout, int lookup, mt_arena *arena, mt_member **members,
                         int *count) {
-    int all = list_members(layout, lookup, NULL);
+    bool *has = mt_arena_new(arena, (size_t)layout->feature_count + 1, sizeof *has);
+    if (!has) return MT_NO_MEMORY;
+    for (int i = 0; i < layout->feature_count; i++) has[i] = mt_feature_has(layout, i, lookup);
+    int all = list_members(layout, has, NULL);
     mt_member *made = mt_arena_new(arena, (size_t)all + 1, sizeof *made);
     if (!made) return MT_NO_MEMORY;
-    *count = list_members(layout, lookup, made);
+    *count = list_members(layout, has, made);
     *members = made;
     return MT_OK;
 }

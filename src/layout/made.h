@@ -34,7 +34,7 @@ typedef struct mt_made_lookup {
     const mt_bytes *subtables; /* each under 64 KB or with 16-bit offsets of its own; not extensions */
 } mt_made_lookup;
 
-/* Where a lookup of A's belongs, for systems that are A's own. MT_NO_MEMORY. */
+/* Where a lookup of A's belongs, for systems that are A's own; a member may come twice. MT_NO_MEMORY. */
 mt_status mt_members_of(const mt_layout *layout, int lookup, mt_arena *arena, mt_member **members,
                         int *count);
 
