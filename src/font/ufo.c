@@ -56,6 +56,21 @@ static mt_status write_lib(const mt_ufo_glyphs *glyphs, int count, mt_folder *fo
     return save(folder, "lib.plist", &xml);
 }
 
+static mt_status write_kerning(const mt_kerning *of, const mt_ufo_glyphs *glyphs, mt_arena *arena,
+                               mt_folder *folder) {
+    mt_ufo_kerning kerning;
+    if (!of || of->pair_count == 0) return MT_OK;
+    mt_status status = mt_ufo_kerning_make(of, glyphs, arena, &kerning);
+    if (status != MT_OK) return status;
+    mt_xml groups = mt_xml_begin();
+    mt_ufo_groups(&kerning, glyphs, &groups);
+    status = save(folder, "groups.plist", &groups);
+    if (status != MT_OK) return status;
+    mt_xml pairs = mt_xml_begin();
+    mt_ufo_pairs(&kerning, glyphs, &pairs);
+    return save(folder, "kerning.plist", &pairs);
+}
+
 /* ---- glyphs ----------------------------------------------------------------------------------------------- */
 
 static mt_status write_contents(const mt_ufo_glyphs *glyphs, const char *const *files, int count,
@@ -87,15 +102,24 @@ static mt_status write_glyphs(const mt_font_data *data, const mt_ufo_glyphs *gly
     return status;
 }
 
+/* As mt_font_write does. */
+static mt_status check(const mt_font_data *data, mt_arena *arena) {
+    mt_status status = mt_font_data_check(data);
+    if (status != MT_OK) return status;
+    mt_extent *extents = mt_arena_new(arena, (size_t)data->glyph_count, sizeof *extents);
+    return extents ? mt_extents_fill(data->glyphs, data->glyph_count, extents) : MT_NO_MEMORY;
+}
+
 mt_status mt_ufo_write(const mt_font_data *data, mt_folder *folder) {
     mt_arena arena = {0};
     mt_ufo_glyphs glyphs;
-    mt_status status = mt_font_data_check(data);
+    mt_status status = check(data, &arena);
     if (status == MT_OK) status = mt_ufo_glyphs_make(data, &arena, &glyphs);
     if (status == MT_OK) status = write_meta(folder);
     if (status == MT_OK) status = write_info(data, folder);
     if (status == MT_OK) status = write_layers(folder);
     if (status == MT_OK) status = write_lib(&glyphs, data->glyph_count, folder);
+    if (status == MT_OK) status = write_kerning(data->kerning, &glyphs, &arena, folder);
     if (status == MT_OK) status = write_glyphs(data, &glyphs, &arena, folder);
     mt_arena_release(&arena);
     return status;

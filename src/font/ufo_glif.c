@@ -40,21 +40,41 @@ static void write_code_points(const mt_ufo_glyphs *glyphs, int glyph, mt_xml *xm
     }
 }
 
-static void write_outline(const mt_glyf *glyf, mt_xml *xml) {
+static void write_reference(const mt_glyf_reference *reference, const mt_ufo_glyphs *glyphs, mt_xml *xml) {
+    mt_xml_open(xml, "component");
+    mt_xml_attribute(xml, "base", glyphs->names[reference->glyph]);
+    if (reference->dx) mt_xml_number(xml, "xOffset", reference->dx);
+    if (reference->dy) mt_xml_number(xml, "yOffset", reference->dy);
+    mt_xml_close(xml);
+}
+
+static void write_outline(const mt_glyf *glyf, const mt_ufo_glyphs *glyphs, mt_xml *xml) {
     mt_xml_open(xml, "outline");
+    for (int i = 0; i < glyf->reference_count; i++) write_reference(&glyf->references[i], glyphs, xml);
     for (int i = 0, start = 0; i < glyf->contour_count; start = glyf->ends[i++] + 1)
         write_contour(glyf->points + start, glyf->ends[i] + 1 - start, xml);
     mt_xml_close(xml);
 }
 
+static void write_origin(int origin, mt_xml *xml) {
+    mt_xml_open(xml, "lib");
+    mt_xml_open(xml, "dict");
+    mt_plist_integer(xml, "public.verticalOrigin", origin);
+    mt_xml_close(xml);
+    mt_xml_close(xml);
+}
+
 void mt_ufo_glif(const mt_font_data *data, const mt_ufo_glyphs *glyphs, int glyph, mt_xml *xml) {
+    const mt_glyf *glyf = &data->glyphs[glyph];
     mt_xml_open(xml, "glyph");
     mt_xml_attribute(xml, "name", glyphs->names[glyph]);
     mt_xml_number(xml, "format", 2);
     mt_xml_open(xml, "advance");
-    mt_xml_number(xml, "width", data->glyphs[glyph].advance);
+    mt_xml_number(xml, "width", glyf->advance);
+    if (data->metrics.vertical) mt_xml_number(xml, "height", glyf->height);
     mt_xml_close(xml);
     write_code_points(glyphs, glyph, xml);
-    write_outline(&data->glyphs[glyph], xml);
+    write_outline(glyf, glyphs, xml);
+    if (data->metrics.vertical) write_origin(glyf->origin, xml);
     mt_xml_close(xml);
 }

@@ -80,6 +80,7 @@ static void put_names(const mt_font_data *data, const mt_summary *summary, mt_xm
     mt_plist_integer(xml, "versionMajor", whole(floor(revision), 0, INT16_MAX));
     mt_plist_integer(xml, "versionMinor", whole((revision - floor(revision)) * 1000, 0, 999));
     mt_plist_string(xml, "copyright", data->copyright);
+    mt_plist_string(xml, "trademark", data->trademark);
     mt_plist_string(xml, "postscriptFontName", postscript);
     put_full_name(xml, "postscriptFullName", data->family, data->style);
     mt_plist_string(xml, "openTypeNamePreferredFamilyName", data->family);
@@ -87,6 +88,7 @@ static void put_names(const mt_font_data *data, const mt_summary *summary, mt_xm
     mt_plist_string(xml, "openTypeNameUniqueID", data->unique_id);
     mt_plist_string(xml, "openTypeNameVersion", data->version);
     mt_plist_string(xml, "openTypeNameDescription", data->description);
+    mt_plist_string(xml, "openTypeNameDesigner", data->designer);
     mt_plist_string(xml, "openTypeNameLicense", data->license);
     mt_plist_string(xml, "openTypeNameLicenseURL", data->license_url);
 }
@@ -107,6 +109,15 @@ static void put_heights(const mt_font_data *data, mt_xml *xml) {
     put(xml, "openTypeHheaCaretOffset", metrics->caret_offset);
 }
 
+static void put_vertical(const mt_metrics *metrics, mt_xml *xml) {
+    put(xml, "openTypeVheaVertTypoAscender", metrics->vhea_ascender);
+    put(xml, "openTypeVheaVertTypoDescender", metrics->vhea_descender);
+    put(xml, "openTypeVheaVertTypoLineGap", metrics->vhea_line_gap);
+    put(xml, "openTypeVheaCaretSlopeRise", 0); /* the caret lies across the line */
+    put(xml, "openTypeVheaCaretSlopeRun", 1);
+    put(xml, "openTypeVheaCaretOffset", 0);
+}
+
 static void put_os2_heights(const mt_metrics *metrics, mt_xml *xml) {
     put(xml, "openTypeOS2TypoAscender", metrics->typo_ascender);
     put(xml, "openTypeOS2TypoDescender", metrics->typo_descender);
@@ -122,6 +133,19 @@ static void put_os2_heights(const mt_metrics *metrics, mt_xml *xml) {
     put(xml, "openTypeOS2StrikeoutPosition", metrics->strikeout_position);
 }
 
+/* The class in the high byte and the subclass in the low one, where they are of those that a UFO may name. */
+static void put_family(const mt_metrics *metrics, mt_xml *xml) {
+    mt_plist_group(xml, "openTypeOS2Panose", "array");
+    for (int i = 0; i < 10; i++) mt_plist_integer(xml, NULL, metrics->panose[i]);
+    mt_xml_close(xml);
+    int family = metrics->family_class >> 8 & 0xFF, kind = metrics->family_class & 0xFF;
+    if (family > 14 || kind > 15) return;
+    mt_plist_group(xml, "openTypeOS2FamilyClass", "array");
+    mt_plist_integer(xml, NULL, family);
+    mt_plist_integer(xml, NULL, kind);
+    mt_xml_close(xml);
+}
+
 /* Of fsSelection, italic, bold and regular are told by the style's name. */
 static void put_os2(const mt_font_data *data, mt_xml *xml) {
     enum { USE_TYPO_METRICS = 1 << 7 };
@@ -135,7 +159,19 @@ static void put_os2(const mt_font_data *data, mt_xml *xml) {
     put_bits(xml, "openTypeOS2Selection", &selection, 1);
     put_bits(xml, "openTypeOS2UnicodeRanges", ranges, 4);
     put_bits(xml, "openTypeOS2CodePageRanges", pages, 2);
+    put_family(&data->metrics, xml);
     put_os2_heights(&data->metrics, xml);
+}
+
+/* Every size alike, as the table 'gasp' has it (write_gasp.c). */
+static void put_gasp(mt_xml *xml) {
+    const uint32_t behaviour = 1 << 0 | 1 << 1 | 1 << 2 | 1 << 3; /* grid-fitted and smoothed, both ways */
+    mt_plist_group(xml, "openTypeGaspRangeRecords", "array");
+    mt_plist_group(xml, NULL, "dict");
+    mt_plist_integer(xml, "rangeMaxPPEM", UINT16_MAX);
+    put_bits(xml, "rangeGaspBehavior", &behaviour, 1);
+    mt_xml_close(xml);
+    mt_xml_close(xml);
 }
 
 static void put_postscript(const mt_metrics *metrics, mt_xml *xml) {
@@ -146,12 +182,14 @@ static void put_postscript(const mt_metrics *metrics, mt_xml *xml) {
 
 void mt_ufo_info(const mt_font_data *data, mt_xml *xml) {
     mt_summary summary = {0};
-    mt_summarise(data, &summary);
+    mt_summarise_style(data, &summary);
     mt_plist_open(xml, "dict");
     put_names(data, &summary, xml);
     put_date(data->created, xml);
     put_heights(data, xml);
+    if (data->metrics.vertical) put_vertical(&data->metrics, xml);
     put_os2(data, xml);
     put_postscript(&data->metrics, xml);
+    put_gasp(xml);
     mt_plist_close(xml);
 }

@@ -3,6 +3,7 @@
 #define MT_UFO_PARTS_H
 
 #include "geometry/memory.h"
+#include "layout/kerning.h"
 #include "write.h"
 #include "xml.h"
 
@@ -24,5 +25,19 @@ void mt_ufo_glif(const mt_font_data *data, const mt_ufo_glyphs *glyphs, int glyp
 
 /* ufo_info.c: fontinfo.plist. */
 void mt_ufo_info(const mt_font_data *data, mt_xml *xml);
+
+/* What groups.plist and kerning.plist share, which belongs to an arena. */
+typedef struct mt_ufo_kerning {
+    const mt_kerning *of;
+    const char **left, **right; /* the groups' names */
+    int pair_count;
+    mt_kerning_pair *pairs; /* those with the same left side one after another */
+} mt_ufo_kerning;
+
+/* ufo_kerning.c. MT_NO_MEMORY. */
+mt_status mt_ufo_kerning_make(const mt_kerning *of, const mt_ufo_glyphs *glyphs, mt_arena *arena,
+                              mt_ufo_kerning *kerning);
+void mt_ufo_groups(const mt_ufo_kerning *kerning, const mt_ufo_glyphs *glyphs, mt_xml *xml);
+void mt_ufo_pairs(const mt_ufo_kerning *kerning, const mt_ufo_glyphs *glyphs, mt_xml *xml);
 
 #endif

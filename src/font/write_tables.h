@@ -22,6 +22,7 @@ typedef struct mt_summary {
 mt_status mt_font_data_check(const mt_font_data *data);
 
 /* write_summary.c */
+void mt_summarise_style(const mt_font_data *data, mt_summary *summary); /* bold and italic */
 void mt_summarise(const mt_font_data *data, mt_summary *summary); /* from the extents; all but the offsets */
 /* The one of Regular, Bold, Italic and Bold Italic that the font is linked as. */
 const char *mt_linked_style(const mt_summary *summary);
