@@ -27,11 +27,6 @@ unsigned mt_value_parts(unsigned format) {
     return (format | format >> MT_VALUE_PARTS) & ((1u << MT_VALUE_PARTS) - 1);
 }
 
-void mt_value_write(mt_table *table, unsigned format, const int *values) {
-    for (int i = 0; i < MT_VALUE_PARTS; i++)
-        if (format >> i & 1) mt_table_16(table, values[i]);
-}
-
 int mt_value_rounded(double value) {
     return (int)fmin(fmax(floor(value + 0.5), INT16_MIN), INT16_MAX);
 }

@@ -2,7 +2,6 @@
 #ifndef MT_VALUE_H
 #define MT_VALUE_H
 
-#include "font/table.h"
 #include "layout/variations.h"
 
 /* XPlacement, YPlacement, XAdvance, YAdvance: the order of the bits of a value format. */
@@ -18,9 +17,6 @@ void mt_value_read(mt_bytes parent, size_t at, unsigned format, const mt_variati
 
 /* The parts that a format has, a bit each: from a plain value or from a device table. */
 unsigned mt_value_parts(unsigned format);
-
-/* Writes a record of the values that the format has; it has none but the four plain ones. */
-void mt_value_write(mt_table *table, unsigned format, const int *values);
 
 /* A number of font units rounded to the nearest one that a table holds, halves upwards. */
 int mt_value_rounded(double value);
