@@ -113,7 +113,8 @@ typedef struct mt_blend mt_blend;
 MT_API mt_status mt_blend_new(mt_font *a, mt_font *b, const mt_params *params, mt_blend **blend);
 MT_API void mt_blend_free(mt_blend *blend); /* NULL is fine */
 
-/* Called once for each glyph that cannot be blended and takes the nearer font's own outline instead. */
+/* Called once for each glyph that cannot be blended and takes the nearer font's own outline instead: with its character, or
+ * the one that it is a form of, or 0 where there is none. */
 typedef void (*mt_glyph_failed)(uint32_t code_point, mt_status why, void *user);
 /* Called from time to time while a font is made: `done` of `all` glyphs. */
 typedef void (*mt_progress)(int done, int all, void *user);
@@ -126,6 +127,16 @@ MT_API mt_status mt_blend_set_family(mt_blend *blend, const char *name);
 /* Keeps only these characters (code points in any order), for a strip or a subset; count 0 means all shared
  * ones. */
 MT_API mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count);
+
+typedef enum mt_glyph_set {
+    MT_GLYPHS_BOTH,  /* those that both fonts have */
+    MT_GLYPHS_FIRST, /* all of the first font's; what the second has not stays as it is */
+} mt_glyph_set;
+
+/* Which glyphs the fonts that follow have; both fonts' without this. */
+MT_API void mt_blend_set_glyphs(mt_blend *blend, mt_glyph_set set);
+/* How many glyphs of the last fonts made are the first font's own, because the second has none for them. */
+MT_API int mt_blend_unblended(const mt_blend *blend);
 
 /* The font at t (0 … 1) as TrueType bytes; give them back with mt_bytes_free. */
 MT_API mt_status mt_blend_font(mt_blend *blend, double t, uint8_t **bytes, size_t *length);

@@ -11,10 +11,13 @@
 #include <unistd.h>
 
 #include "font/charset.h"
+#include "font/glyph_names.h"
 #include "font/pair.h"
 #include "font/recipe.h"
 #include "font/save.h"
+#include "font/sfnt.h"
 #include "geometry/limits.h"
+#include "layout/gsub_subset.h"
 
 struct mt_blend {
     mt_font *a, *b;
@@ -23,6 +26,8 @@ struct mt_blend {
     char *family;         /* NULL: made from the sources' */
     uint32_t *wanted;
     int wanted_count;
+    mt_glyph_set set;
+    int unblended; /* glyphs of the last fonts */
     mt_glyph_failed failed;
     mt_progress progress;
     void *failed_user, *progress_user;
@@ -74,6 +79,14 @@ mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int c
     blend->wanted = copy;
     blend->wanted_count = count > 0 ? count : 0;
     return MT_OK;
+}
+
+void mt_blend_set_glyphs(mt_blend *blend, mt_glyph_set set) {
+    blend->set = set;
+}
+
+int mt_blend_unblended(const mt_blend *blend) {
+    return blend->unblended;
 }
 
 mt_status mt_blend_set_hints(mt_blend *blend, const mt_hint_table *table, mt_hint_error *error) {
@@ -145,7 +158,9 @@ typedef struct mt_job {
     int t_count, units;
     mt_font_ready ready;
     void *user;
-    mt_glyf **glyphs; /* for each T, one for each glyph of the charset */
+    mt_layout_tables layout;
+    const char **glyph_names; /* NULL: none */
+    mt_glyf **glyphs;         /* for each T, one for each glyph of the charset */
     atomic_int next, done;
     atomic_int status;     /* the first that stops everything */
     pthread_mutex_t fonts; /* FreeType's faces are not for two threads at once; neither are the callbacks */
@@ -202,6 +217,23 @@ static mt_status fall_back(mt_worker *worker, const mt_glyph_pair *pair, int gly
     return MT_OK;
 }
 
+/* A glyph that B has not: A's own, at all T. */
+static mt_status keep_own(mt_worker *worker, mt_pairing p, int glyph) {
+    mt_job *job = worker->job;
+    const mt_params *params = &job->blend->params;
+    mt_glyph_pair pair = {0};
+    mt_outline outline = {0};
+    pthread_mutex_lock(&job->fonts);
+    mt_status status =
+        mt_glyph_shape(job->blend->a, p.a, params->tolerance, &worker->scratch, &pair.a, &pair.advance_a);
+    pthread_mutex_unlock(&job->fonts);
+    if (status == MT_OK) status = mt_shape_outline(&pair.a, params, &worker->scratch, &outline);
+    pair.advance_b = pair.advance_a;
+    for (int i = 0; i < job->t_count && status == MT_OK; i++)
+        status = keep_outline(worker, &outline, &pair, glyph, i);
+    return status;
+}
+
 static void report_failure(mt_job *job, uint32_t code_point, mt_status why) {
     pthread_mutex_lock(&job->fonts);
     if (job->blend->failed) job->blend->failed(code_point, why, job->blend->failed_user);
@@ -212,11 +244,12 @@ static mt_status do_glyph(mt_worker *worker, int glyph) {
     mt_pairing p = worker->job->charset->glyphs[glyph];
     const mt_blend *blend = worker->job->blend;
     mt_hints hints = mt_hint_index_find(blend->hints, p.a, p.b);
-    mt_glyph_pair pair;
-    mt_status status = read_sides(worker, p, &pair);
-    if (status == MT_OK)
+    mt_glyph_pair pair = {0};
+    bool alone = p.b == MT_NO_PARTNER;
+    mt_status status = alone ? keep_own(worker, p, glyph) : read_sides(worker, p, &pair);
+    if (status == MT_OK && !alone)
         status = mt_morph_prepare(&pair.a, &pair.b, &hints, &blend->params, &worker->scratch, &pair.morph);
-    if (status == MT_OK) status = blend_pair(worker, &pair, glyph);
+    if (status == MT_OK && !alone) status = blend_pair(worker, &pair, glyph);
     if (status == MT_OK || status == MT_NO_MEMORY) return status;
     if (glyph != 0) report_failure(worker->job, p.code_point, status); /* nobody asks for .notdef by name */
     return fall_back(worker, &pair, glyph);
@@ -270,13 +303,20 @@ static mt_status run(mt_job *job, mt_worker *workers, int count) {
 
 /* ---- fonts --------------------------------------------------------------------------------------------- */
 
+static void add_extra(mt_font_data *data, uint32_t tag, mt_bytes table) {
+    if (table.length) data->extras[data->extra_count++] = (mt_extra_table){tag, table};
+}
+
 static mt_status hand_over(const mt_job *job, int i, mt_arena *arena) {
     const mt_charset *charset = job->charset;
     mt_font_data data = {.units = job->units,
                          .glyph_count = charset->glyph_count,
                          .glyphs = job->glyphs[i],
                          .char_count = charset->char_count,
-                         .chars = charset->chars};
+                         .chars = charset->chars,
+                         .glyph_names = job->glyph_names};
+    add_extra(&data, MT_TAG('G', 'S', 'U', 'B'), job->layout.gsub);
+    add_extra(&data, MT_TAG('G', 'D', 'E', 'F'), job->layout.gdef);
     mt_status status =
         mt_recipe_fill(job->blend->a, job->blend->b, job->t[i], job->blend->family, arena, &data);
     return status == MT_OK ? job->ready(&data, i, job->user) : status;
@@ -288,21 +328,33 @@ static mt_status hand_over_all(const mt_job *job, mt_arena *arena) {
     return status;
 }
 
+/* The first font's substitutions and the names, for the glyphs that are kept. */
+static mt_status make_layout(mt_job *job, mt_arena *arena) {
+    const mt_charset *charset = job->charset;
+    uint16_t *kept = mt_arena_new(arena, (size_t)charset->primary_count, sizeof *kept);
+    if (!kept) return MT_NO_MEMORY;
+    for (int i = 0; i < charset->primary_count; i++) kept[i] = (uint16_t)charset->glyphs[i].a;
+    mt_status status = mt_gsub_subset(job->blend->a, kept, charset->primary_count, arena, &job->layout);
+    if (status != MT_OK) return status;
+    return mt_glyph_names_make(job->blend->a, charset, arena, &job->glyph_names);
+}
+
 static mt_status start_job(mt_job *job, mt_arena *arena) {
+    job->blend->unblended = job->charset->unblended_count;
     job->glyphs = mt_arena_new(arena, (size_t)job->t_count, sizeof *job->glyphs);
     if (!job->glyphs) return MT_NO_MEMORY;
     for (int i = 0; i < job->t_count; i++) {
         job->glyphs[i] = mt_arena_new(arena, (size_t)job->charset->glyph_count, sizeof(mt_glyf));
         if (!job->glyphs[i]) return MT_NO_MEMORY;
     }
-    return MT_OK;
+    return make_layout(job, arena);
 }
 
 static mt_status make_fonts(mt_job *job, mt_arena *arena) {
     mt_charset charset;
     mt_blend *blend = job->blend;
-    mt_status status =
-        mt_charset_make(blend->a, blend->b, blend->wanted, blend->wanted_count, arena, &charset);
+    mt_charset_request request = {blend->wanted, blend->wanted_count, blend->set};
+    mt_status status = mt_charset_make(blend->a, blend->b, &request, arena, &charset);
     job->charset = &charset;
     if (status == MT_OK) status = start_job(job, arena);
     if (status != MT_OK) return status;

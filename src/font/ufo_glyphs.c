@@ -17,7 +17,7 @@ static mt_status collect_code_points(const mt_font_data *data, mt_arena *arena, 
     return MT_OK;
 }
 
-/* uni4E00, u1F600 (Adobe Glyph List Specification, section 2), .notdef, or glyph00042. */
+/* Of a glyph of a font without names: uni4E00, u1F600 (Adobe Glyph List Specification, section 2), .notdef, or glyph00042. */
 static mt_status make_name(const mt_ufo_glyphs *glyphs, int glyph, mt_arena *arena, const char **name) {
     enum { ROOM = 16 };
     char *text = mt_arena_new(arena, ROOM, 1);
@@ -38,8 +38,12 @@ mt_status mt_ufo_glyphs_make(const mt_font_data *data, mt_arena *arena, mt_ufo_g
     mt_ufo_glyphs made = {.names = mt_arena_new(arena, (size_t)data->glyph_count, sizeof *made.names)};
     if (!made.names) return MT_NO_MEMORY;
     mt_status status = collect_code_points(data, arena, &made);
-    for (int i = 0; i < data->glyph_count && status == MT_OK; i++)
-        status = make_name(&made, i, arena, &made.names[i]);
+    for (int i = 0; i < data->glyph_count && status == MT_OK; i++) {
+        if (data->glyph_names)
+            made.names[i] = data->glyph_names[i];
+        else
+            status = make_name(&made, i, arena, &made.names[i]);
+    }
     if (status == MT_OK) *glyphs = made;
     return status;
 }

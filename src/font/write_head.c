@@ -1,6 +1,8 @@
 /* The font as a whole: 'head', 'maxp' and 'post'. */
 #include "write_tables.h"
 
+#include <string.h>
+
 double mt_font_revision(const char *version) {
     double value = 0, place = 1;
     while (version && *version && (*version < '0' || *version > '9')) version++;
@@ -48,13 +50,30 @@ void mt_write_maxp(const mt_font_data *data, const mt_summary *summary, mt_table
     mt_table_16(table, summary->max_depth);
 }
 
-/* Version 3: without glyph names. */
+/* The names of version 2, as Pascal strings: all are the font's own, numbered from 258 on, but that of .notdef, which is
+ * the first of the standard Macintosh names. */
+static void write_names(const mt_font_data *data, mt_table *table) {
+    enum { FIRST_OWN = 258 };
+    mt_table_16(table, data->glyph_count);
+    mt_table_16(table, 0);
+    for (int i = 1; i < data->glyph_count; i++) mt_table_16(table, FIRST_OWN + i - 1);
+    for (int i = 1; i < data->glyph_count; i++) {
+        size_t length = strlen(data->glyph_names[i]);
+        mt_table_u8(table, (unsigned)length);
+        mt_table_bytes(table, data->glyph_names[i], length);
+    }
+}
+
+/* Version 2 with glyph names, as long as they can be numbered; version 3 without. */
 void mt_write_post(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
+    enum { NAMED_MOST = 65278 };
+    bool named = data->glyph_names && data->glyph_count <= NAMED_MOST;
     (void)summary;
-    mt_table_32(table, 0x00030000);
+    mt_table_32(table, named ? 0x00020000 : 0x00030000);
     mt_table_fixed(table, data->metrics.italic_angle);
     mt_table_i16_of(table, data->metrics.underline_position);
     mt_table_i16_of(table, data->metrics.underline_thickness);
     mt_table_32(table, data->metrics.monospaced);
     mt_table_zeros(table, 16); /* memory use when downloaded: unknown */
+    if (named) write_names(data, table);
 }

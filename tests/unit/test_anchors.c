@@ -81,7 +81,7 @@ static mt_pair prepare(mt_end a, mt_end b) {
     pair.b.scale = (double)pair.units / mt_font_units(b.font);
     mt_anchor_source in_a = {a.font, &pair.a.layout, &pair.a.variations};
     mt_anchor_source in_b = {b.font, &pair.b.layout, &pair.b.variations};
-    mt_assert_ok(mt_charset_make(a.font, b.font, NULL, 0, &arena, &pair.charset));
+    mt_assert_ok(mt_charset_make(a.font, b.font, &(mt_charset_request){0}, &arena, &pair.charset));
     mt_assert_ok(mt_systems_make(&pair.a.layout, &pair.b.layout, &arena, &pair.systems));
     mt_assert_ok(
         mt_anchors_prepare(&in_a, &in_b, &pair.systems, &pair.charset, pair.units, &arena, &pair.anchors));
