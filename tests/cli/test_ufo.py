@@ -72,14 +72,14 @@ class Test(cli.Test):
 class Sources(Test):
     """What designers get is what the font has."""
 
-    def setUp(self):
-        super().setUp()
-        self.write('chars', 'U+0020-007E é Ä Æ Ж Ω')
+    def make(self, characters):
+        self.write('chars', characters)
         self.blend('x.ttf', '--chars', 'chars')
         self.blend('x.ufo', '--chars', 'chars')
         self.font, self.ufo = ttLib.TTFont(self.path('x.ttf')), Ufo(self.path('x.ufo'))
 
     def test_built_again_it_has_the_same_outlines(self):
+        self.make('U+0020-007E é Ä Æ Ж Ω')
         built = self.ufo.build()
         built.save(self.path('built.ttf'))
         built = ttLib.TTFont(self.path('built.ttf'))
@@ -100,6 +100,7 @@ class Sources(Test):
                          {code: again[name] for code, name in built.getBestCmap().items()})
 
     def test_information_is_the_fonts(self):
+        self.make('Rag')
         info, os2, hhea, names = self.ufo.info, self.font['OS/2'], self.font['hhea'], self.font['name']
         for ours, theirs in ((info.unitsPerEm, self.font['head'].unitsPerEm),
                              (info.openTypeHheaAscender, hhea.ascent), (info.openTypeHheaDescender, hhea.descent),
@@ -129,11 +130,12 @@ class Sources(Test):
         self.assertEqual((info.versionMajor, info.versionMinor), (1, 0))
 
     def test_same_files_for_any_number_of_threads(self):
+        self.write('chars', 'U+0041-0055 é Ä')
         folders = []
         for name, jobs in (('1', 1), ('2', 2), ('again', 2), ('5', 5)):
             path = self.blend(name + '.ufo', '--chars', 'chars', '-j', jobs)
             folders.append({file.relative_to(path): file.read_bytes() for file in path.rglob('*') if file.is_file()})
-        self.assertGreater(len(folders[0]), 100)
+        self.assertGreater(len(folders[0]), 25)
         for folder in folders[1:]:
             self.assertEqual(folders[0], folder)
 
