@@ -14,7 +14,9 @@
 #include "font/file.h"
 #include "font/pair.h"
 #include "font/recipe.h"
+#include "font/sfnt.h"
 #include "geometry/limits.h"
+#include "layout/positions.h"
 
 struct mt_blend {
     mt_font *a, *b;
@@ -144,6 +146,7 @@ typedef struct mt_job {
     const double *t;
     int t_count, units;
     mt_glyf **glyphs; /* for each T, one for each glyph of the charset */
+    mt_positions *positions;
     atomic_int next, done;
     atomic_int status;     /* the first that stops everything */
     pthread_mutex_t fonts; /* FreeType's faces are not for two threads at once; neither are the callbacks */
@@ -268,6 +271,14 @@ static mt_status run(mt_job *job, mt_worker *workers, int count) {
 
 /* ---- fonts --------------------------------------------------------------------------------------------- */
 
+static mt_status add_positions(const mt_job *job, double t, mt_arena *arena, mt_font_data *data) {
+    mt_bytes gpos;
+    mt_status status = mt_positions_write(job->positions, t, arena, &gpos);
+    if (status == MT_OK && gpos.length)
+        data->extras[data->extra_count++] = (mt_extra_table){MT_TAG('G', 'P', 'O', 'S'), gpos};
+    return status;
+}
+
 static mt_status write_font(const mt_job *job, int i, mt_arena *arena, uint8_t **bytes, size_t *length) {
     const mt_charset *charset = job->charset;
     mt_font_data data = {.units = job->units,
@@ -277,6 +288,7 @@ static mt_status write_font(const mt_job *job, int i, mt_arena *arena, uint8_t *
                          .chars = charset->chars};
     mt_status status =
         mt_recipe_fill(job->blend->a, job->blend->b, job->t[i], job->blend->family, arena, &data);
+    if (status == MT_OK) status = add_positions(job, job->t[i], arena, &data);
     return status == MT_OK ? mt_font_write(&data, bytes, length) : status;
 }
 
@@ -307,6 +319,8 @@ static mt_status blend_fonts(mt_job *job, mt_arena *arena, uint8_t **bytes, size
         mt_charset_make(blend->a, blend->b, blend->wanted, blend->wanted_count, arena, &charset);
     job->charset = &charset;
     if (status == MT_OK) status = start_job(job, arena);
+    if (status == MT_OK)
+        status = mt_positions_prepare(blend->a, blend->b, &charset, job->units, arena, &job->positions);
     if (status != MT_OK) return status;
     int count = worker_count(job);
     mt_worker *workers = mt_arena_new(arena, (size_t)count, sizeof *workers);
