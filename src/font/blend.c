@@ -18,6 +18,7 @@
 #include "font/sfnt.h"
 #include "geometry/limits.h"
 #include "layout/gsub_subset.h"
+#include "layout/kerning.h"
 
 struct mt_blend {
     mt_font *a, *b;
@@ -161,6 +162,7 @@ typedef struct mt_job {
     mt_layout_tables layout;
     const char **glyph_names; /* NULL: none */
     mt_glyf **glyphs;         /* for each T, one for each glyph of the charset */
+    mt_positions *positions;
     atomic_int next, done;
     atomic_int status;     /* the first that stops everything */
     pthread_mutex_t fonts; /* FreeType's faces are not for two threads at once; neither are the callbacks */
@@ -307,6 +309,19 @@ static void add_extra(mt_font_data *data, uint32_t tag, mt_bytes table) {
     if (table.length) data->extras[data->extra_count++] = (mt_extra_table){tag, table};
 }
 
+/* As GPOS, and as groups and pairs. */
+static mt_status add_positions(const mt_job *job, double t, mt_arena *arena, mt_font_data *data) {
+    mt_bytes gpos;
+    mt_kerning *kerning = mt_arena_new(arena, 1, sizeof *kerning);
+    if (!kerning) return MT_NO_MEMORY;
+    mt_status status = mt_positions_write(job->positions, t, arena, &gpos);
+    if (status == MT_OK) status = mt_positions_kerning(job->positions, t, arena, kerning);
+    if (status != MT_OK) return status;
+    add_extra(data, MT_TAG('G', 'P', 'O', 'S'), gpos);
+    data->kerning = kerning;
+    return MT_OK;
+}
+
 static mt_status hand_over(const mt_job *job, int i, mt_arena *arena) {
     const mt_charset *charset = job->charset;
     mt_font_data data = {.units = job->units,
@@ -319,6 +334,7 @@ static mt_status hand_over(const mt_job *job, int i, mt_arena *arena) {
     add_extra(&data, MT_TAG('G', 'D', 'E', 'F'), job->layout.gdef);
     mt_status status =
         mt_recipe_fill(job->blend->a, job->blend->b, job->t[i], job->blend->family, arena, &data);
+    if (status == MT_OK) status = add_positions(job, job->t[i], arena, &data);
     return status == MT_OK ? job->ready(&data, i, job->user) : status;
 }
 
@@ -357,6 +373,8 @@ static mt_status make_fonts(mt_job *job, mt_arena *arena) {
     mt_status status = mt_charset_make(blend->a, blend->b, &request, arena, &charset);
     job->charset = &charset;
     if (status == MT_OK) status = start_job(job, arena);
+    if (status == MT_OK)
+        status = mt_positions_prepare(blend->a, blend->b, &charset, job->units, arena, &job->positions);
     if (status != MT_OK) return status;
     int count = worker_count(job);
     mt_worker *workers = mt_arena_new(arena, (size_t)count, sizeof *workers);

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { MARK_STEPS = 2 }; /* to look a mark up, read it and sort it */
+
 static bool is_in(const uint64_t *set, int row) {
     return set[row / 64] >> (row % 64) & 1;
 }
@@ -68,7 +70,6 @@ static int set_size(const uint64_t *set, int words) {
 static void find_rows(mt_anchor_job *job, const mt_attachment_table *rival, int mark_class,
                       mt_class_work *work) {
     memset(work->found, 0, (size_t)work->words * sizeof *work->found);
-    if (!mt_anchor_spend(job, work->row_count)) return;
     for (int i = 0; i < work->row_count; i++) {
         const mt_row *row = &work->rows[i];
         uint32_t partner = mt_anchor_partner(job, row->glyph);
@@ -93,11 +94,11 @@ static void cover(const mt_read_mark *marks, int count, mt_class_work *work) {
 /* Marks that are of one class in both fonts, with the bases that both anchor for it. */
 static mt_status add_mixed(mt_anchor_job *job, const mt_attachment_table *rival, const mt_read_mark *marks,
                            int count, mt_class_work *work, mt_anchor_lookup *lookup) {
+    if (!mt_anchor_spend(job, work->row_count + (int64_t)count * work->words)) return MT_OK;
     find_rows(job, rival, marks->mark_class, work);
     cover(marks, count, work);
     int kept = set_size(work->found, work->words);
-    int64_t steps = (int64_t)count * work->words + MT_ANCHOR_KEPT_STEPS * (int64_t)(count + kept);
-    if (kept == 0 || !mt_anchor_spend(job, steps)) return MT_OK;
+    if (kept == 0 || !mt_anchor_spend(job, MT_ANCHOR_KEPT_STEPS * (int64_t)(count + kept))) return MT_OK;
     mt_attachment *made = add_attachment(job, lookup, count, kept);
     if (!made) return MT_NO_MEMORY;
     for (int i = 0; i < count; i++)
@@ -128,6 +129,28 @@ static mt_status blend_rival(mt_anchor_job *job, mt_bytes subtable, mt_class_wor
     for (int i = 0, end; i < count && status == MT_OK; i = end) {
         end = mt_class_end(marks, count, i);
         status = add_mixed(job, &rival, marks + i, end - i, work, lookup);
+    }
+    return status;
+}
+
+/* Whether A anchors nothing more than is covered. */
+static bool all_covered(const mt_class_work *work) {
+    for (int i = 0; i < work->mark_count; i++)
+        for (int w = 0; w < work->words; w++)
+            if (work->has[w] & ~covered_by(work, i)[w]) return false;
+    return true;
+}
+
+/* Goes through B's subtables until all is covered. */
+static mt_status blend_rivals(mt_anchor_job *job, mt_class_work *work, const mt_rivals *rivals,
+                              mt_anchor_lookup *lookup) {
+    int64_t steps = (int64_t)work->mark_count * (MARK_STEPS + work->words);
+    mt_status status = MT_OK;
+    for (int i = 0; i < rivals->count && status == MT_OK && mt_anchor_spend(job, steps); i++) {
+        if (all_covered(work)) break;
+        mt_arena_place place = mt_arena_mark(&job->scratch);
+        status = blend_rival(job, rivals->subtables[i], work, lookup);
+        mt_arena_rewind(&job->scratch, place);
     }
     return status;
 }
@@ -190,11 +213,6 @@ mt_status mt_class_blend(mt_anchor_job *job, mt_class_work *work, const mt_rival
         if (mt_attachment_base(work->table, work->rows[i].index, work->rows[i].component,
                                work->marks->mark_class, job->a->variations, &work->in_a[i]))
             put_in(work->has, i);
-    mt_status status = MT_OK;
-    for (int i = 0; i < rivals->count && status == MT_OK && mt_anchor_spend(job, work->mark_count); i++) {
-        mt_arena_place place = mt_arena_mark(&job->scratch);
-        status = blend_rival(job, rivals->subtables[i], work, lookup);
-        mt_arena_rewind(&job->scratch, place);
-    }
+    mt_status status = blend_rivals(job, work, rivals, lookup);
     return status == MT_OK ? add_rest(job, work, lookup) : status;
 }

@@ -7,10 +7,10 @@
 
 /* The most steps (a glyph looked up, an anchor read) that a pair of fonts may cost, some seconds: a malformed font can have
  * the same tables in it thousands of times. The largest fonts take a hundredth of it. */
-#define MT_ANCHOR_STEPS_MAX ((int64_t)1 << 27)
+#define MT_ANCHOR_STEPS_MAX ((int64_t)1 << 25)
 
-/* What an anchor that is kept counts for, in steps: memory for two millions. */
-enum { MT_ANCHOR_KEPT_STEPS = 64 };
+/* What an anchor that is kept counts for, in steps: memory for a million. */
+enum { MT_ANCHOR_KEPT_STEPS = 32 };
 
 /* B's subtables that may anchor what a lookup of A's does, in the order in which the first that applies wins. */
 typedef struct mt_rivals {

@@ -1,5 +1,7 @@
 #include "layout/anchor_job.h"
 
+enum { SUBTABLE_STEPS = 16 }; /* what one that is listed counts for */
+
 /* Notes the lookups of B that the system applies for the feature. */
 static void note_feature(mt_anchor_job *job, int in_b, uint32_t tag, bool *wanted) {
     const mt_layout *layout = job->b->layout;
@@ -21,7 +23,8 @@ static int count_subtables(mt_anchor_job *job, int type, bool *wanted) {
     for (int i = 0; i < job->b->layout->lookup_count; i++) {
         if (!wanted[i]) continue;
         mt_lookup lookup = mt_layout_lookup(job->b->layout, i);
-        wanted[i] = lookup.type == type && mt_anchor_spend(job, lookup.subtable_count);
+        wanted[i] =
+            lookup.type == type && mt_anchor_spend(job, SUBTABLE_STEPS * (int64_t)lookup.subtable_count);
         if (wanted[i]) count += lookup.subtable_count;
     }
     return count;

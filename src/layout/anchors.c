@@ -67,14 +67,14 @@ uint32_t mt_anchor_partner(const mt_anchor_job *job, int glyph) {
 
 /* ---- lookups ------------------------------------------------------------------------------------------- */
 
-/* A's lookup as it goes into the new font; what it has none of is left 0. */
+/* A's lookup as it goes into the new font; one that is in no feature has nothing. */
 static mt_status blend_lookup(mt_anchor_job *job, int order, const mt_lookup *in_a, mt_anchor_lookup *made) {
     mt_member *members;
     mt_rivals rivals = {0};
     made->head =
         (mt_made_lookup){.order = order, .type = in_a->type, .flag = in_a->flag, .mark_set = in_a->mark_set};
     mt_status status = mt_members_of(job->a->layout, order, job->arena, &members, &made->head.member_count);
-    if (status != MT_OK) return status;
+    if (status != MT_OK || made->head.member_count == 0) return status;
     made->head.members = members;
     mt_arena_reset(&job->scratch);
     status = mt_systems_spread(job->systems, job->arena, &made->head);

@@ -5,10 +5,12 @@ import pathlib
 import subprocess
 
 import cli
+import harfbuzz
 from fontTools import fontBuilder, ttLib
 from fontTools.pens.ttGlyphPen import TTGlyphPointPen
 from fontTools.ufoLib import UFOReader
 from fontTools.ufoLib.filenames import userNameToFileName
+from fontTools.ufoLib.kerning import lookupKerningValue
 
 SAMPLE = os.environ['UFO_SAMPLE']
 FONTS = (cli.SANS_BOLD, cli.SERIF)
@@ -98,6 +100,20 @@ class Sources(Test):
         again = {name: i for i, name in enumerate(built.getGlyphOrder())}
         self.assertEqual({code: number[name] for code, name in self.font.getBestCmap().items()},
                          {code: again[name] for code, name in built.getBestCmap().items()})
+
+    def test_kerning_is_what_the_font_gives(self):
+        """Each pair as GPOS has it, by HarfBuzz, and as the groups and pairs have it, by ufoLib's rules."""
+        letters = 'AVTWLPoaevy.,-ГТАую'
+        self.make(letters)
+        name = {code: glyph for glyph in self.ufo.order for code in getattr(self.ufo.parts[glyph], 'unicodes', ())}
+        advances, kerned = self.font['hmtx'].metrics, 0
+        for left in letters:
+            for right in letters:
+                given = lookupKerningValue((name[ord(left)], name[ord(right)]), self.ufo.kerning, self.ufo.groups)
+                shaped = harfbuzz.shape(self.path('x.ttf'), left + right)
+                self.assertEqual(shaped[0][1] - advances[self.font.getBestCmap()[ord(left)]][0], given, left + right)
+                kerned += given != 0
+        self.assertGreater(kerned, 20)
 
     def test_information_is_the_fonts(self):
         self.make('Rag')

@@ -5,9 +5,6 @@
 #include "font/charset.h"
 #include "layout/made.h"
 
-/* A GPOS table in which one feature of the default script has all the lookups. Mark filtering sets are not used. */
-mt_bytes mt_test_gpos(const mt_made_lookups *made, mt_arena *arena);
-
 /* A font of blank glyphs for the characters of the charset, with this GPOS and with GDEF classes, one for each glyph. */
 mt_bytes mt_test_layout_font(const mt_charset *charset, int units, const uint16_t *advances,
                              const uint16_t *classes, mt_bytes gpos, mt_arena *arena);
