@@ -7,6 +7,7 @@ import subprocess
 import cli
 import harfbuzz
 from fontTools import fontBuilder, ttLib
+from fontTools.pens.recordingPen import RecordingPointPen
 from fontTools.pens.ttGlyphPen import TTGlyphPointPen
 from fontTools.ufoLib import UFOReader
 from fontTools.ufoLib.filenames import userNameToFileName
@@ -115,6 +116,18 @@ class Sources(Test):
                 kerned += given != 0
         self.assertGreater(kerned, 20)
 
+    def test_points_without_a_corner_are_smooth(self):
+        self.make('OE')
+        smooth = {}
+        for character in 'OE':
+            pen = RecordingPointPen()
+            self.ufo.glyphs.readGlyph(character, Part(), pen)
+            points = [values for call, values, _ in pen.value if call == 'addPoint']
+            smooth[character] = sum(is_smooth for _, _, is_smooth, *_ in points)
+            self.assertFalse(any(is_smooth and kind is None for _, kind, is_smooth, *_ in points))
+        self.assertGreaterEqual(smooth['O'], 8)
+        self.assertEqual(smooth['E'], 0)
+
     def test_information_is_the_fonts(self):
         self.make('Rag')
         info, os2, hhea, names = self.ufo.info, self.font['OS/2'], self.font['hhea'], self.font['name']
@@ -163,6 +176,10 @@ class Sample(Test):
         super().setUp()
         subprocess.run([SAMPLE, self.path('sample.ufo')], check=True)
         self.ufo = Ufo(self.path('sample.ufo'))
+
+    def test_glyphs_of_a_font_without_names(self):
+        self.assertEqual(self.ufo.order, ['.notdef', 'uni0041', 'uni006F', 'uni00E9', 'u1F600', 'glyph00005'])
+        self.assertEqual(self.ufo.parts['u1F600'].unicodes, [0x1F600])
 
     def test_references(self):
         glyph = self.ufo.outlines[self.ufo.order[5]]
