@@ -57,7 +57,7 @@ static bool find_pair(const mt_subtables *subtables, int type, uint32_t mark, ui
     return false;
 }
 
-enum { MARK_COUNT = 4500, BASE_COUNT = 20000, FIRST_BASE = 10000 };
+enum { MARK_COUNT = 6500, BASE_COUNT = 20000, FIRST_BASE = 14000 };
 
 static mt_attachment many_marks_and_bases(void) {
     mt_attachment all = {MARK_COUNT, BASE_COUNT, new_anchored(MARK_COUNT), new_anchored(BASE_COUNT)};
@@ -258,6 +258,24 @@ static void glyphs_that_share_one_of_a_have_their_own(void **state) {
     assert_anchored(&both->bases[1], 3, 10, 20, 50, 60);
 }
 
+/* As in HarfBuzz: a lookup attaches anew what one before it attached, its first subtable that applies does. */
+static void the_last_lookup_of_b_decides(void **state) {
+    (void)state;
+    mt_anchored mark = fixed(3, 0, 1, 0, 0), other = fixed(1, 0, 1, 30, 40);
+    mt_anchored bases[] = {fixed(1, 0, 1, 10, 20), fixed(2, 0, 1, 5, 6)};
+    mt_attachment in_a = {1, 2, &mark, bases}, first = {1, 1, &mark, bases}, last = {1, 1, &mark, &other};
+    mt_made_lookups made_a = {0}, made_b = {0};
+    add_lookup(&made_a, MT_MARK_TO_BASE, &in_a, NULL);
+    add_lookup(&made_b, MT_MARK_TO_BASE, &first, NULL);
+    add_lookup(&made_b, MT_MARK_TO_BASE, &last, NULL);
+    mt_small a = open_small("a.ttf", wide, &made_a), b = open_small("b.ttf", high, &made_b);
+    mt_pairing glyphs[] = {{0, 0, 0}, {'A', 1, 1}, {'o', 2, 2}, {0xE9, 3, 3}};
+    mt_charset charset = {.glyph_count = 4, .glyphs = glyphs};
+    mt_anchors anchors = blend_small(&a, &b, &charset);
+    assert_int_equal(anchors.lookups[0].attachment_count, 2); /* of both, and the rest */
+    assert_anchored(anchors.lookups[0].attachments[0].bases, 1, 10, 20, 30, 40);
+}
+
 static void ligatures_go_by_their_components(void **state) {
     (void)state;
     mt_anchored mark = fixed(3, 0, 1, 0, 0);
@@ -413,6 +431,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(many_cursive_glyphs_still_join, set_up, tear_down),
         cmocka_unit_test_setup_teardown(the_rest_is_as_in_a_and_moves_with_the_outline, set_up, tear_down),
         cmocka_unit_test_setup_teardown(glyphs_that_share_one_of_a_have_their_own, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(the_last_lookup_of_b_decides, set_up, tear_down),
         cmocka_unit_test_setup_teardown(ligatures_go_by_their_components, set_up, tear_down),
         cmocka_unit_test_setup_teardown(cursive_anchors_are_mixed_each, set_up, tear_down),
         cmocka_unit_test_setup_teardown(any_allocation_may_fail, set_up, tear_down),
