@@ -1,6 +1,5 @@
 /* Pair adjustment of fonts made for the test: many classes, several subtables, the old 'kern' table. */
 #include "font/sfnt.h"
-#include "layout/gpos.h"
 #include "layout/kerning.h"
 #include "support/blending.h"
 #include "support/check.h"
@@ -76,24 +75,6 @@ static mt_bytes random_matrix(uint32_t seed, int count, int classes, int from, i
     return bytes;
 }
 
-/* A kern feature of one lookup. */
-static mt_bytes gpos_of(const mt_bytes *subtables, int count) {
-    static const mt_member member = {0, MT_TAG('k', 'e', 'r', 'n')};
-    mt_shared_system system = {MT_TAG('D', 'F', 'L', 'T'), MT_LANGUAGE_DEFAULT, -1, -1};
-    mt_systems systems = {1, &system};
-    mt_made_lookup lookup = {.type = 2,
-                             .mark_set = -1,
-                             .member_count = 1,
-                             .members = &member,
-                             .subtable_count = count,
-                             .subtables = subtables};
-    mt_made_lookups made = {0};
-    mt_bytes gpos;
-    mt_assert_ok(mt_made_add(&made, &lookup, &arena));
-    mt_assert_ok(mt_gpos_write(&systems, &made, &arena, &gpos));
-    return gpos;
-}
-
 static mt_test_end blank_end(const char *name, int units, int count, uint32_t tag, mt_bytes table) {
     char *path = mt_sample_path(&arena, directory, name);
     mt_test_save_blank(path, units, FIRST, count, tag, table, &arena);
@@ -101,7 +82,8 @@ static mt_test_end blank_end(const char *name, int units, int count, uint32_t ta
 }
 
 static mt_test_end gpos_end(const char *name, int units, int count, const mt_bytes *subtables, int n) {
-    return blank_end(name, units, count, MT_TAG('G', 'P', 'O', 'S'), gpos_of(subtables, n));
+    return blank_end(name, units, count, MT_TAG('G', 'P', 'O', 'S'),
+                     mt_test_one_lookup(MT_TAG('k', 'e', 'r', 'n'), 2, subtables, n, &arena));
 }
 
 static void compare_random_pairs(mt_test_place *place, int count, int pairs) {
@@ -249,6 +231,25 @@ static void check_kern_table(bool minima) {
     mt_test_blend_close(&blend);
 }
 
+/* Glyph 1 is A's alone: so are its pairs, at any T. */
+static void without_partner_a_kerns_alone(void **state) {
+    (void)state;
+    mt_bytes none = {0};
+    mt_test_blend blend =
+        mt_test_blend_of(blank_end("kern.ttf", 1000, 6, MT_TAG('k', 'e', 'r', 'n'), kern_table(false)),
+                         blank_end("none.ttf", 1000, 6, 0, none), &arena);
+    blend.charset.glyphs[1].b = MT_NO_PARTNER;
+    mt_assert_ok(mt_positions_prepare(blend.ends[0].font, blend.ends[1].font, &blend.charset, blend.units,
+                                      &arena, &blend.positions));
+    mt_test_place place = {.blend = &blend, .t = 0.5};
+    for (uint32_t l = 0; l < 6; l++)
+        for (uint32_t r = 0; r < 6; r++) {
+            double share = l == 0 || r == 0 ? 1 : 0.5;
+            assert_int_equal(kern_value(&place, l + 1, r + 1), (int)floor(share * wanted_value(l, r) + 0.5));
+        }
+    mt_test_blend_close(&blend);
+}
+
 static void old_tables_are_read(void **state) {
     (void)state;
     check_kern_table(false);
@@ -261,6 +262,7 @@ int main(void) {
         cmocka_unit_test(many_classes),
         cmocka_unit_test(one_of_them_kerns),
         cmocka_unit_test(old_tables_are_read),
+        cmocka_unit_test(without_partner_a_kerns_alone),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
