@@ -39,7 +39,7 @@ static mt_anchored *new_anchored(int count) {
 
 /* ---- subtables ----------------------------------------------------------------------------------------- */
 
-/* The anchors of a mark and a base's component, of the first subtable that has both, as an engine finds them. */
+/* The anchors of a mark and a base's component, of the first subtable that has both: as engines find them. */
 static bool find_pair(const mt_subtables *subtables, int type, uint32_t mark, uint32_t base, int component,
                       mt_anchor_point *on_mark, mt_anchor_point *on_base) {
     for (int i = 0; i < subtables->count; i++) {
@@ -394,7 +394,8 @@ static void blend_tables(mt_font *font, const mt_charset *charset, mt_bytes one,
     mt_arena_release(&scratch);
 }
 
-/* A copy of its own, so that a reader past the end is found out, with some bytes changed, most of them near the start. */
+/* A copy of its own, so that a reader past the end is found out, with some bytes changed, most of them near
+ * the start. */
 static mt_bytes spoilt(mt_bytes table, mt_random *random) {
     int length =
         mt_random_one_in(random, 4) ? mt_random_between(random, 1, (int)table.length) : (int)table.length;
