@@ -1,11 +1,13 @@
-/* Anchors of two fonts blended: marks to bases, ligatures and marks, and cursive attachment (GPOS lookup types 3 to 6).
+/* Anchors of two fonts blended: marks to bases, ligatures and marks, and cursive attachment (GPOS lookup
+ * types 3 to 6).
  *
- * The lookups are A's. A pair of mark and base that B anchors too is attached between A's way and B's; one that only A
- * anchors as in A, each anchor moved with its glyph's outline (anchor_move.h).
+ * The lookups are A's. A pair of mark and base that B anchors too is attached between A's way and B's; one
+ * that only A anchors as in A, each anchor moved with its glyph's outline (anchor_move.h).
  *
- * A mark has one anchor in a subtable, and some engines (Uniscribe) stop at a base that has no anchor for a mark's
- * class. So each subtable here has one class of marks, and only the bases with an anchor for it: for each class of A's
- * in each class of B's one with anchors of both, and after these one with the anchors that only A has. */
+ * A mark has one anchor in a subtable, and some engines (Uniscribe) stop at a base that has no anchor for a
+ * mark's class. So each subtable here has one class of marks, and only the bases with an anchor for it: for
+ * each class of A's in each class of B's one with anchors of both, and after these one with the anchors that
+ * only A has. */
 #ifndef MT_ANCHOR_H
 #define MT_ANCHOR_H
 
@@ -63,8 +65,8 @@ typedef struct mt_anchors {
     mt_anchor_lookup *lookups; /* in A's order; none is empty */
 } mt_anchors;
 
-/* Reads the anchors of both fonts for the glyphs of the charset, in `units` per em. Malformed subtables are left out; so is what comes after
- * more work than any font needs (MT_ANCHOR_STEPS_MAX). MT_NO_MEMORY. */
+/* Reads the anchors of both fonts for the glyphs of the charset, in `units` per em. Malformed subtables are
+ * left out; so is what comes after more work than any font needs (MT_ANCHOR_STEPS_MAX). MT_NO_MEMORY. */
 mt_status mt_anchors_prepare(const mt_anchor_source *a, const mt_anchor_source *b, const mt_systems *systems,
                              const mt_charset *charset, int units, mt_arena *arena, mt_anchors *anchors);
 

@@ -133,12 +133,18 @@ static mt_status blend_rival(mt_anchor_job *job, mt_bytes subtable, mt_class_wor
     return status;
 }
 
-/* Whether A anchors nothing more than is covered. */
-static bool all_covered(const mt_class_work *work) {
-    for (int i = 0; i < work->mark_count; i++)
-        for (int w = 0; w < work->words; w++)
-            if (work->has[w] & ~covered_by(work, i)[w]) return false;
-    return true;
+/* Whether the mark has rows in A that are not covered. */
+static bool has_left(const mt_class_work *work, int mark) {
+    const uint64_t *covered = covered_by(work, mark);
+    for (int w = 0; w < work->words; w++)
+        if (work->has[w] & ~covered[w]) return true;
+    return false;
+}
+
+static int count_left(const mt_class_work *work) {
+    int count = 0;
+    for (int i = 0; i < work->mark_count; i++) count += has_left(work, i);
+    return count;
 }
 
 /* Goes through B's subtables until all is covered. */
@@ -147,7 +153,7 @@ static mt_status blend_rivals(mt_anchor_job *job, mt_class_work *work, const mt_
     int64_t steps = (int64_t)work->mark_count * (MARK_STEPS + work->words);
     mt_status status = MT_OK;
     for (int i = 0; i < rivals->count && status == MT_OK && mt_anchor_spend(job, steps); i++) {
-        if (all_covered(work)) break;
+        if (count_left(work) == 0) break;
         mt_arena_place place = mt_arena_mark(&job->scratch);
         status = blend_rival(job, rivals->subtables[i], work, lookup);
         mt_arena_rewind(&job->scratch, place);
@@ -162,30 +168,25 @@ static mt_status moved(mt_anchor_job *job, uint16_t glyph, mt_anchor_point in_a,
     return mt_outline_move(&job->moves, glyph, at->ends[0], &at->ends[1]);
 }
 
-/* Whether the mark has rows in A that are not covered; adds these to the found. */
-static bool add_uncovered(mt_class_work *work, int mark) {
-    const uint64_t *covered = covered_by(work, mark);
-    uint64_t any = 0;
+/* Finds the rows that are not covered for some mark; returns how many. */
+static int find_left(mt_class_work *work) {
     for (int w = 0; w < work->words; w++) {
-        uint64_t left = work->has[w] & ~covered[w];
-        work->found[w] |= left;
-        any |= left;
+        uint64_t left = 0;
+        for (int i = 0; i < work->mark_count; i++) left |= work->has[w] & ~covered_by(work, i)[w];
+        work->found[w] = left;
     }
-    return any != 0;
+    return set_size(work->found, work->words);
 }
 
 static mt_status add_rest(mt_anchor_job *job, mt_class_work *work, mt_anchor_lookup *lookup) {
-    int count = 0;
-    memset(work->found, 0, (size_t)work->words * sizeof *work->found);
-    for (int i = 0; i < work->mark_count; i++) count += add_uncovered(work, i);
-    int kept = set_size(work->found, work->words);
+    int count = count_left(work), kept = find_left(work);
     if (kept == 0 || !mt_anchor_spend(job, MT_ANCHOR_KEPT_STEPS * (int64_t)(count + kept))) return MT_OK;
     mt_attachment *made = add_attachment(job, lookup, count, kept);
     if (!made) return MT_NO_MEMORY;
     mt_status status = MT_OK;
     mt_anchor at;
     for (int i = 0; i < work->mark_count && status == MT_OK; i++) {
-        if (!add_uncovered(work, i)) continue;
+        if (!has_left(work, i)) continue;
         status = moved(job, work->marks[i].glyph, work->marks[i].point, &at);
         add_mark(made, work->marks[i].glyph, at);
     }

@@ -1,4 +1,5 @@
-/* One class of A's marks at work: what becomes of a part of a subtable (anchor_class.c; anchor_blend.c reads the parts). */
+/* One class of A's marks at work: what becomes of a part of a subtable (anchor_class.c; anchor_blend.c reads
+ * the parts). */
 #ifndef MT_ANCHOR_CLASS_H
 #define MT_ANCHOR_CLASS_H
 

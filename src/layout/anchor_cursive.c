@@ -1,5 +1,5 @@
-/* One cursive attachment subtable of A's, blended. A glyph's anchors are mixed each on its own, because both are places on
- * its outline; what only A has moves with it. */
+/* One cursive attachment subtable of A's, blended. A glyph's anchors are mixed each on its own, because both
+ * are places on its outline; what only A has moves with it. */
 #include "layout/anchor_job.h"
 
 #include <string.h>

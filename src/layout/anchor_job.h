@@ -5,14 +5,14 @@
 #include "layout/anchor.h"
 #include "layout/anchor_move.h"
 
-/* The most steps (a glyph looked up, an anchor read) that a pair of fonts may cost, some seconds: a malformed font can have
- * the same tables in it thousands of times. The largest fonts take a hundredth of it. */
+/* The most steps (a glyph looked up, an anchor read) that a pair of fonts may cost, some seconds: a malformed
+ * font can have the same tables in it thousands of times. The largest fonts take a hundredth of it. */
 #define MT_ANCHOR_STEPS_MAX ((int64_t)1 << 25)
 
 /* What an anchor that is kept counts for, in steps: memory for a million. */
 enum { MT_ANCHOR_KEPT_STEPS = 32 };
 
-/* B's subtables that may anchor what a lookup of A's does, in the order in which the first that applies wins. */
+/* B's subtables that may anchor what a lookup of A's does; the first that applies decides. */
 typedef struct mt_rivals {
     int count;
     mt_bytes *subtables;
@@ -46,8 +46,8 @@ mt_anchor mt_anchor_mixed(const mt_anchor_job *job, mt_anchor_point in_a, mt_anc
 /* B's glyph of a new glyph; MT_NO_PARTNER for none. */
 uint32_t mt_anchor_partner(const mt_anchor_job *job, int glyph);
 
-/* anchor_rivals.c. B's subtables of the type in the features and language systems that A's lookup is in: of later lookups
- * first, because those are applied last and so decide. In the arena. MT_NO_MEMORY. */
+/* anchor_rivals.c. B's subtables of the type in the features and language systems that A's lookup is in: of
+ * later lookups first, because those are applied last and so decide. In the arena. MT_NO_MEMORY. */
 mt_status mt_rivals_find(mt_anchor_job *job, const mt_made_lookup *lookup, mt_rivals *rivals);
 
 /* anchor_blend.c, anchor_cursive.c: add what becomes of a subtable of A's to the lookup. MT_NO_MEMORY. */

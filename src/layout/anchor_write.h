@@ -1,5 +1,5 @@
-/* Anchors at one T as GPOS subtables (OpenType spec, "GPOS": lookup types 3 to 6), in parts where 16-bit offsets would not
- * reach. */
+/* Anchors at one T as GPOS subtables (OpenType spec, "GPOS": lookup types 3 to 6), in parts where 16-bit
+ * offsets would not reach. */
 #ifndef MT_ANCHOR_WRITE_H
 #define MT_ANCHOR_WRITE_H
 

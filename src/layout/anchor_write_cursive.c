@@ -2,8 +2,8 @@
 #include "layout/anchor_pool.h"
 #include "layout/anchor_write.h"
 
-/* Glyphs in a part of what does not fit in one subtable: one with the exits of a part and the entries of another takes
- * at most 24 bytes for each of them. */
+/* Glyphs in a part of what does not fit in one subtable. A glyph takes at most 18 bytes of a subtable, 12 where
+ * it has one anchor in it; those of two parts have one each. */
 enum { HEADER_SIZE = 6, RECORD_SIZE = 4, PART_MAX = 2700 };
 
 /* The glyphs of a subtable with what they have in it, ascending. */
@@ -23,8 +23,8 @@ static void add_glyph(mt_joined *joined, const mt_cursive_glyph *glyph, bool ent
     joined->count += made->has[0] || made->has[1];
 }
 
-/* The exits of one part of the glyphs and the entries of another: where a line goes from a glyph of the first to one of
- * the second. */
+/* The exits of one part of the glyphs and the entries of another: where a line goes from a glyph of the first
+ * to one of the second. */
 static mt_status join(const mt_cursive *cursive, int exits, int entries, double t, mt_arena *arena,
                       mt_joined *joined) {
     *joined = (mt_joined){.glyphs = mt_arena_new(arena, 2 * PART_MAX, sizeof *joined->glyphs)};

@@ -2,8 +2,8 @@
 #include "layout/anchor_pool.h"
 #include "layout/anchor_write.h"
 
-/* A subtable has a header, both coverages, the marks and the bases, in this order. With so many marks, and bases that take
- * up to 64 KB, 8 bytes at least each, the bases start under 64 KB. */
+/* A subtable has a header, both coverages, the marks and the bases, in this order. With so many marks, and
+ * bases that take up to 64 KB, 8 bytes at least each, the bases start under 64 KB. */
 enum { HEADER_SIZE = 12, MARKS_MAX = 4000, BASES_SIZE_MAX = 65535 };
 
 /* A part of an attachment that makes one subtable. */

@@ -77,9 +77,9 @@ mt_status mt_positions_kerning(const mt_positions *positions, double t, mt_arena
     mt_arena scratch = {0};
     mt_mixed_pairs mixed;
     mt_kerning made = {0};
-    const mt_pair_position *plain = &positions->plain_kerning;
-    mt_status status = plain->count ? mt_pairs_mix(&plain->pairs[0], t, &scratch, &mixed) : MT_OK;
-    if (status == MT_OK && plain->count) status = tell(&mixed, arena, &made);
+    mt_status status = MT_OK;
+    if (positions->has_plain_kerning) status = mt_pairs_mix(&positions->plain_kerning, t, &scratch, &mixed);
+    if (status == MT_OK && positions->has_plain_kerning) status = tell(&mixed, arena, &made);
     mt_arena_release(&scratch);
     if (status == MT_OK) *kerning = made;
     return status;

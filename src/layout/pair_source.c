@@ -51,11 +51,10 @@ mt_status mt_pair_source_gpos(const mt_layout *layout, const int *lookups, int c
     return MT_OK;
 }
 
-/* Class 0 on the right stands for glyphs that the subtable says nothing of. HarfBuzz goes on to the next subtable
- * there, and so do fonts that have been split into several. */
+/* Every glyph has a class on the right, if only class 0: where the left glyph is covered, the subtable applies. */
 static int class_column(const mt_pair_subtable *subtable, uint32_t right) {
     unsigned class = mt_class_find(mt_ot_follow(subtable->table, 10), right);
-    return class > 0 && (int)class < subtable->class_counts[1] ? (int)class : -1;
+    return (int)class < subtable->class_counts[1] ? (int)class : -1;
 }
 
 static int class_row(const mt_pair_subtable *subtable, uint32_t left) {

@@ -53,7 +53,7 @@ static mt_status find_glyphs(const mt_charset *charset, mt_arena *scratch, uint3
     return MT_OK;
 }
 
-static mt_status prepare(mt_pair_side sides[2], mt_arena *arena, mt_pairs *pairs) {
+static mt_status prepare(mt_pair_side sides[2], int most, mt_arena *arena, mt_pairs *pairs) {
     int count = pairs->glyph_count;
     mt_status status = make_classes(sides[0].left_of, sides[1].left_of, count, arena, &pairs->left);
     if (status == MT_OK)
@@ -62,11 +62,11 @@ static mt_status prepare(mt_pair_side sides[2], mt_arena *arena, mt_pairs *pairs
         status = mt_pair_side_values(&sides[s], pairs, arena, &pairs->ends[s]);
     if (status != MT_OK) return status;
     int64_t cells = (int64_t)pairs->left.count * pairs->right.count;
-    return cells > MT_PAIR_CELLS_MAX ? MT_TOO_LARGE : mt_pairs_list(sides, arena, pairs);
+    return cells > most ? MT_TOO_LARGE : mt_pairs_list(sides, arena, pairs);
 }
 
 mt_status mt_pairs_prepare(const mt_pair_source *a, const mt_pair_source *b, const mt_charset *charset,
-                           mt_arena *arena, mt_pairs *pairs) {
+                           int most, mt_arena *arena, mt_pairs *pairs) {
     const mt_pair_source *sources[] = {a, b};
     mt_arena scratch = {0};
     mt_pair_side sides[2] = {0};
@@ -77,7 +77,7 @@ mt_status mt_pairs_prepare(const mt_pair_source *a, const mt_pair_source *b, con
     mt_status status = find_glyphs(charset, &scratch, glyph_of);
     for (int s = 0; s < 2 && status == MT_OK; s++)
         status = mt_pair_side_sort(sources[s], glyph_of[s], made.glyph_count, &scratch, &sides[s]);
-    if (status == MT_OK) status = prepare(sides, arena, &made);
+    if (status == MT_OK) status = prepare(sides, most, arena, &made);
     for (int s = 0; s < 2; s++) mt_pair_side_free(&sides[s]);
     mt_arena_release(&scratch);
     if (status == MT_OK) *pairs = made;

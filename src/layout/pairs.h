@@ -46,8 +46,9 @@ typedef struct mt_pairs {
  * font can ask for any number; the largest fonts take a tenth. */
 enum { MT_PAIR_CELLS_MAX = 1 << 22, MT_PAIRS_LISTED_MAX = 1 << 22, MT_PAIR_STEPS_MAX = 1 << 27 };
 
-/* MT_TOO_LARGE for more than that, MT_NO_MEMORY. */
+/* `most` is how many cells the new classes may make, MT_PAIR_CELLS_MAX at most. MT_TOO_LARGE for more than that or for
+ * what costs too much, MT_NO_MEMORY. */
 mt_status mt_pairs_prepare(const mt_pair_source *a, const mt_pair_source *b, const mt_charset *charset,
-                           mt_arena *arena, mt_pairs *pairs);
+                           int most, mt_arena *arena, mt_pairs *pairs);
 
 #endif

@@ -26,7 +26,8 @@ struct mt_positions {
     int pair_count, single_count;
     mt_pair_position *pairs;
     mt_single_position *singles;
-    mt_pair_position plain_kerning; /* all of the Latin text's kern feature, whatever the flags */
+    bool has_plain_kerning;
+    mt_pairs plain_kerning; /* all of the kern feature that Latin text is set by, whatever the flags */
     mt_anchors anchors;
 };
 

@@ -47,6 +47,14 @@ static mt_status pair_source(const mt_position_source *source, const mt_feature_
                                source->scale, arena, made);
 }
 
+/* What each font's lookups make of a feature. */
+static mt_status pair_sources(mt_position_job *job, const mt_feature_job *feature, mt_pair_source own[2]) {
+    mt_status status = MT_OK;
+    for (int s = 0; s < 2 && status == MT_OK; s++)
+        status = pair_source(&job->sources[s], &feature->parts[s], &job->scratch, &own[s]);
+    return status;
+}
+
 /* Each font's pairs alone; what is too large even so is left out. */
 static mt_status prepare_apart(const mt_pair_source own[2], mt_position_job *job,
                                mt_pair_position *position) {
@@ -54,22 +62,23 @@ static mt_status prepare_apart(const mt_pair_source own[2], mt_position_job *job
     mt_status status = MT_OK;
     for (int s = 0; s < 2 && status == MT_OK; s++) {
         status = mt_pairs_prepare(s == 0 ? &own[0] : &none, s == 1 ? &own[1] : &none, job->charset,
-                                  job->arena, &position->pairs[position->count]);
+                                  MT_PAIR_CELLS_MAX, job->arena, &position->pairs[position->count]);
         if (status == MT_OK) position->count++;
         if (status == MT_TOO_LARGE) status = MT_OK;
     }
     return status;
 }
 
+enum { TOGETHER_MAX = 1 << 19 }; /* cells: a megabyte where only advances change */
+
 static mt_status prepare_pairs(mt_position_job *job, const mt_feature_job *feature,
                                mt_pair_position *position) {
     mt_pair_source own[2];
-    mt_status status = MT_OK;
     *position = (mt_pair_position){.head = feature->head};
-    for (int s = 0; s < 2 && status == MT_OK; s++)
-        status = pair_source(&job->sources[s], &feature->parts[s], &job->scratch, &own[s]);
+    mt_status status = pair_sources(job, feature, own);
     if (status == MT_OK)
-        status = mt_pairs_prepare(&own[0], &own[1], job->charset, job->arena, &position->pairs[0]);
+        status =
+            mt_pairs_prepare(&own[0], &own[1], job->charset, TOGETHER_MAX, job->arena, &position->pairs[0]);
     position->count = status == MT_OK;
     return status == MT_TOO_LARGE ? prepare_apart(own, job, position) : status;
 }
@@ -97,12 +106,20 @@ static int plain_system(const mt_systems *systems) {
     return 0;
 }
 
+/* Kerning that is too large is left out. */
 static mt_status prepare_plain_kerning(mt_position_job *job) {
     mt_feature_job feature;
-    const mt_systems *systems = &job->positions->systems;
-    mt_status status = mt_feature_job_whole(job->features, systems, plain_system(systems),
-                                            MT_TAG('k', 'e', 'r', 'n'), MT_LOOKUP_PAIR, job->arena, &feature);
-    return status == MT_OK ? prepare_pairs(job, &feature, &job->positions->plain_kerning) : status;
+    mt_pair_source own[2];
+    mt_positions *positions = job->positions;
+    mt_status status =
+        mt_feature_job_whole(job->features, &positions->systems, plain_system(&positions->systems),
+                             MT_TAG('k', 'e', 'r', 'n'), MT_LOOKUP_PAIR, job->arena, &feature);
+    if (status == MT_OK) status = pair_sources(job, &feature, own);
+    if (status == MT_OK)
+        status = mt_pairs_prepare(&own[0], &own[1], job->charset, MT_PAIR_CELLS_MAX, job->arena,
+                                  &positions->plain_kerning);
+    positions->has_plain_kerning = status == MT_OK;
+    return status == MT_TOO_LARGE ? MT_OK : status;
 }
 
 /* ---- single adjustments -------------------------------------------------------------------------------- */

@@ -5,6 +5,7 @@
 
 #include "font/recipe.h"
 #include "font/sfnt.h"
+#include "layout/gpos.h"
 #include "support/check.h"
 #include "support/fonts.h"
 #include "support/gpos.h"
@@ -77,13 +78,14 @@ void mt_test_place_close(mt_test_place *place) {
 /* ---- comparing ----------------------------------------------------------------------------------------- */
 
 /* The width of a text, in what the font's scale is in. */
-static double width_of(hb_font_t *font, hb_buffer_t *buffer, const uint32_t *text, int length) {
+static double width_of(const mt_test_place *place, hb_font_t *font, const uint32_t *text, int length) {
+    hb_buffer_t *buffer = place->buffer;
     double width = 0;
     unsigned count;
     hb_buffer_clear_contents(buffer);
     hb_buffer_add_codepoints(buffer, text, length, 0, length);
     hb_buffer_guess_segment_properties(buffer);
-    hb_shape(font, buffer, NULL, 0);
+    hb_shape(font, buffer, &place->feature, place->feature.tag ? 1 : 0);
     const hb_glyph_position_t *positions = hb_buffer_get_glyph_positions(buffer, &count);
     for (unsigned i = 0; i < count; i++) width += positions[i].x_advance;
     return width;
@@ -104,9 +106,9 @@ void mt_test_compare(mt_test_place *place, const uint32_t *text, int length) {
     double widths[2];
     int scale, y;
     for (int s = 0; s < 2; s++)
-        widths[s] = scale_of(blend, s) * width_of(blend->ends[s].shaping, place->buffer, text, length);
+        widths[s] = scale_of(blend, s) * width_of(place, blend->ends[s].shaping, text, length);
     hb_font_get_scale(place->font, &scale, &y);
-    double unit = (double)scale / blend->units, width = width_of(place->font, place->buffer, text, length);
+    double unit = (double)scale / blend->units, width = width_of(place, place->font, text, length);
     double wanted = (1 - place->t) * widths[0] + place->t * widths[1];
     double off = fabs(width / unit - wanted) / length;
     place->worst = fmax(place->worst, off);
@@ -117,6 +119,24 @@ void mt_test_compare(mt_test_place *place, const uint32_t *text, int length) {
 }
 
 /* ---- sources ------------------------------------------------------------------------------------------- */
+
+mt_bytes mt_test_one_lookup(uint32_t feature, int type, const mt_bytes *subtables, int count,
+                            mt_arena *arena) {
+    mt_member member = {0, feature};
+    mt_shared_system system = {MT_TAG('D', 'F', 'L', 'T'), MT_LANGUAGE_DEFAULT, -1, -1};
+    mt_systems systems = {1, &system};
+    mt_made_lookup lookup = {.type = type,
+                             .mark_set = -1,
+                             .member_count = 1,
+                             .members = &member,
+                             .subtable_count = count,
+                             .subtables = subtables};
+    mt_made_lookups made = {0};
+    mt_bytes gpos;
+    mt_assert_ok(mt_made_add(&made, &lookup, arena));
+    mt_assert_ok(mt_gpos_write(&systems, &made, arena, &gpos));
+    return gpos;
+}
 
 void mt_test_save_blank(const char *path, int units, uint32_t first, int count, uint32_t tag, mt_bytes table,
                         mt_arena *arena) {

@@ -34,6 +34,7 @@ typedef struct mt_test_place {
     double t;
     hb_font_t *font;
     hb_buffer_t *buffer;
+    hb_feature_t feature; /* that is switched on in all texts; none at first */
     size_t gpos_length;
     double worst; /* difference of a text's width from the mix of the ends', units a glyph */
     int kerned;   /* texts that are not as wide as their glyphs */
@@ -44,6 +45,10 @@ void mt_test_place_close(mt_test_place *place);
 
 /* Shapes the text in all three fonts; fails when the blend's width is off by more than a unit a glyph. */
 void mt_test_compare(mt_test_place *place, const uint32_t *text, int length);
+
+/* A GPOS table of the default script with one feature of one lookup. */
+mt_bytes mt_test_one_lookup(uint32_t feature, int type, const mt_bytes *subtables, int count,
+                            mt_arena *arena);
 
 /* Saves a font of blank glyphs, 500 units wide, for `count` characters from `first` on (glyph 1 is the first), with one
  * more table unless that is empty. */

@@ -2,6 +2,7 @@
 #include "font/sfnt.h"
 #include "layout/anchor_write.h"
 #include "layout/gpos.h"
+#include "support/allocation.h"
 #include "support/check.h"
 #include "support/fonts.h"
 #include "support/random.h"
@@ -38,7 +39,7 @@ static mt_anchored *new_anchored(int count) {
 
 /* ---- subtables ----------------------------------------------------------------------------------------- */
 
-/* The anchors of a mark and a base's component, of the first subtable that has both, as an engine finds them. */
+/* The anchors of a mark and a base's component, of the first subtable that has both: as engines find them. */
 static bool find_pair(const mt_subtables *subtables, int type, uint32_t mark, uint32_t base, int component,
                       mt_anchor_point *on_mark, mt_anchor_point *on_base) {
     for (int i = 0; i < subtables->count; i++) {
@@ -56,7 +57,7 @@ static bool find_pair(const mt_subtables *subtables, int type, uint32_t mark, ui
     return false;
 }
 
-enum { MARK_COUNT = 4500, BASE_COUNT = 20000, FIRST_BASE = 10000 };
+enum { MARK_COUNT = 6500, BASE_COUNT = 20000, FIRST_BASE = 14000 };
 
 static mt_attachment many_marks_and_bases(void) {
     mt_attachment all = {MARK_COUNT, BASE_COUNT, new_anchored(MARK_COUNT), new_anchored(BASE_COUNT)};
@@ -261,6 +262,24 @@ static void glyphs_that_share_one_of_a_have_their_own(void **state) {
     assert_anchored(&both->bases[1], 3, 10, 20, 50, 60);
 }
 
+/* As in HarfBuzz: a lookup attaches anew what one before it attached, its first subtable that applies does. */
+static void the_last_lookup_of_b_decides(void **state) {
+    (void)state;
+    mt_anchored mark = fixed(3, 0, 1, 0, 0), other = fixed(1, 0, 1, 30, 40);
+    mt_anchored bases[] = {fixed(1, 0, 1, 10, 20), fixed(2, 0, 1, 5, 6)};
+    mt_attachment in_a = {1, 2, &mark, bases}, first = {1, 1, &mark, bases}, last = {1, 1, &mark, &other};
+    mt_made_lookups made_a = {0}, made_b = {0};
+    add_lookup(&made_a, MT_MARK_TO_BASE, &in_a, NULL);
+    add_lookup(&made_b, MT_MARK_TO_BASE, &first, NULL);
+    add_lookup(&made_b, MT_MARK_TO_BASE, &last, NULL);
+    mt_small a = open_small("a.ttf", wide, &made_a), b = open_small("b.ttf", high, &made_b);
+    mt_pairing glyphs[] = {{0, 0, 0}, {'A', 1, 1}, {'o', 2, 2}, {0xE9, 3, 3}};
+    mt_charset charset = {.glyph_count = 4, .glyphs = glyphs};
+    mt_anchors anchors = blend_small(&a, &b, &charset);
+    assert_int_equal(anchors.lookups[0].attachment_count, 2); /* of both, and the rest */
+    assert_anchored(anchors.lookups[0].attachments[0].bases, 1, 10, 20, 30, 40);
+}
+
 static void ligatures_go_by_their_components(void **state) {
     (void)state;
     mt_anchored mark = fixed(3, 0, 1, 0, 0);
@@ -303,6 +322,60 @@ static void cursive_anchors_are_mixed_each(void **state) {
     assert_true(glyph->at[1].ends[1].x == 100 && glyph->at[1].ends[1].y == 450);
 }
 
+/* ---- memory -------------------------------------------------------------------------------------------- */
+
+/* Opens two small fonts, and blends and writes their anchors while allocation number `failing` fails. */
+static mt_status blend_without(long failing, const char *paths[2]) {
+    mt_arena scratch = {0};
+    mt_font *fonts[2];
+    mt_layout layouts[2];
+    mt_systems systems;
+    mt_anchors anchors;
+    mt_made_lookups made = {0};
+    mt_pairing glyphs[] = {{0, 0, 0}, {'A', 1, 1}, {'o', 2, 2}, {0xE9, 3, 3}};
+    mt_charset charset = {.glyph_count = 4, .glyphs = glyphs};
+    for (int i = 0; i < 2; i++) {
+        mt_bytes gpos;
+        mt_assert_ok(mt_font_open(paths[i], &fonts[i]));
+        mt_assert_ok(mt_font_table(fonts[i], MT_TAG('G', 'P', 'O', 'S'), &scratch, &gpos));
+        mt_assert_ok(mt_layout_open(gpos, MT_EXTENSION_GPOS, &scratch, &layouts[i]));
+    }
+    mt_assert_ok(mt_systems_make(&layouts[0], &layouts[1], &scratch, &systems));
+    mt_anchor_source in_a = {fonts[0], &layouts[0], &still}, in_b = {fonts[1], &layouts[1], &still};
+    mt_arena kept = {0};
+    mt_allocation_fail(failing, false);
+    mt_status status = mt_anchors_prepare(&in_a, &in_b, &systems, &charset, 1000, &kept, &anchors);
+    if (status == MT_OK) status = mt_anchors_write(&anchors, 0.5, &kept, &made);
+    mt_allocation_succeed();
+    for (int i = 0; i < 2; i++) mt_font_close(fonts[i]);
+    mt_arena_release(&kept);
+    mt_arena_release(&scratch);
+    return status;
+}
+
+static void any_allocation_may_fail(void **state) {
+    (void)state;
+    mt_anchored mark = fixed(3, 0, 1, 50, 0), bases[] = {fixed(1, 0, 1, 300, 750), fixed(2, 0, 1, 250, 500)};
+    mt_attachment in_a = {1, 2, &mark, bases}, in_b = {1, 1, &mark, bases + 1};
+    mt_made_lookups made_a = {0}, made_b = {0};
+    add_lookup(&made_a, MT_MARK_TO_BASE, &in_a, NULL);
+    add_lookup(&made_b, MT_MARK_TO_BASE, &in_b, NULL);
+    mt_font_close(open_small("a.ttf", wide, &made_a).font);
+    mt_font_close(open_small("b.ttf", high, &made_b).font);
+    const char *paths[] = {mt_sample_path(&arena, directory, "a.ttf"),
+                           mt_sample_path(&arena, directory, "b.ttf")};
+    mt_status status = MT_NO_MEMORY;
+    long failing = 0;
+    for (; status == MT_NO_MEMORY; failing++) {
+        mt_allocation_watch();
+        status = blend_without(failing, paths);
+        assert_int_equal(mt_allocation_live(), 0);
+        mt_allocation_unwatch();
+    }
+    mt_assert_ok(status);
+    assert_true(failing > 5);
+}
+
 /* ---- malformed tables ---------------------------------------------------------------------------------- */
 
 static const uint32_t sample_text[] =
@@ -325,7 +398,8 @@ static void blend_tables(mt_font *font, const mt_charset *charset, mt_bytes one,
     mt_arena_release(&scratch);
 }
 
-/* A copy of its own, so that a reader past the end is found out, with some bytes changed, most of them near the start. */
+/* A copy of its own, so that a reader past the end is found out, with some bytes changed, most of them near
+ * the start. */
 static mt_bytes spoilt(mt_bytes table, mt_random *random) {
     int length =
         mt_random_one_in(random, 4) ? mt_random_between(random, 1, (int)table.length) : (int)table.length;
@@ -363,8 +437,10 @@ int main(void) {
         cmocka_unit_test_setup_teardown(many_cursive_glyphs_still_join, set_up, tear_down),
         cmocka_unit_test_setup_teardown(the_rest_is_as_in_a_and_moves_with_the_outline, set_up, tear_down),
         cmocka_unit_test_setup_teardown(glyphs_that_share_one_of_a_have_their_own, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(the_last_lookup_of_b_decides, set_up, tear_down),
         cmocka_unit_test_setup_teardown(ligatures_go_by_their_components, set_up, tear_down),
         cmocka_unit_test_setup_teardown(cursive_anchors_are_mixed_each, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(any_allocation_may_fail, set_up, tear_down),
         cmocka_unit_test_setup_teardown(malformed_tables_do_no_harm, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -45,7 +45,8 @@ typedef struct mt_pair {
     mt_positions *positions;
 } mt_pair;
 
-/* Skips the test when the file is not there. `spec` names the same place on the weight axis as `weight`; 0 for none. */
+/* Skips the test when the file is not there. `spec` names the same place on the weight axis as `weight`; 0
+ * for none. */
 static mt_end open_end(const char *path, const char *spec, float weight) {
     mt_end end = {0};
     mt_font_close(mt_test_font(path));
