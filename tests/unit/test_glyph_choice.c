@@ -2,6 +2,7 @@
  * one has to be that which the glyph of the other was made of. */
 #include "font/charset.h"
 #include "font/utf.h"
+#include "geometry/limits.h"
 
 #include <hb-ot.h>
 #include <stdio.h>
@@ -229,6 +230,29 @@ static void vertical(void **state) {
     check_texts(a, b, texts, COUNT_OF(texts));
 }
 
+/* All that two fonts of 65 535 glyphs have in common is one font. */
+static void as_many_as_a_font_holds(void **state) {
+    (void)state;
+    mt_font *a, *b;
+    mt_charset charset;
+    mt_charset_request request = {NULL, 0, MT_GLYPHS_BOTH};
+    mt_font_close(mt_test_font(NOTO "NotoSansCJK-Bold.ttc"));
+    mt_font_close(mt_test_font(NOTO "NotoSerifCJK-Regular.ttc"));
+    mt_assert_ok(mt_font_open(NOTO "NotoSansCJK-Bold.ttc#2", &a));
+    mt_assert_ok(mt_font_open(NOTO "NotoSerifCJK-Regular.ttc#2", &b));
+    for (int i = 0; i < 2; i++) {
+        request.set = i ? MT_GLYPHS_FIRST : MT_GLYPHS_BOTH;
+        mt_assert_ok(mt_charset_make(a, b, &request, &arena, &charset));
+        assert_in_range(charset.glyph_count, 60000, MT_GLYPHS_MAX);
+        assert_true(charset.char_count > 44000);
+        for (int k = 0; k < charset.char_count; k++)
+            assert_int_equal(charset.glyphs[charset.chars[k].glyph].a,
+                             mt_font_glyph(a, charset.chars[k].code_point));
+    }
+    mt_font_close(a);
+    mt_font_close(b);
+}
+
 /* Two fonts that order and apply their forms differently. */
 static void small_capitals_and_old_figures(void **state) {
     (void)state;
@@ -259,6 +283,7 @@ int main(void) {
         cmocka_unit_test(arabic),
         cmocka_unit_test(variable),
         cmocka_unit_test(postscript_outlines),
+        cmocka_unit_test(as_many_as_a_font_holds),
         cmocka_unit_test(vertical),
         cmocka_unit_test(small_capitals_and_old_figures),
     };
