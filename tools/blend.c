@@ -118,12 +118,15 @@ const cli_command blend_command = {
             "that --text\n"
             "or --chars names. Several T make several fonts: OUT-0.25.ttf, OUT-0.5.ttf and so on. --text "
             "wants all of\n"
-            "its characters in both fonts; of --chars those are left out that one font lacks. A glyph that "
-            "cannot be\n"
-            "blended is named on stderr, and the nearer font's own outline stands in for it. OUT.ufo is a "
-            "directory;\n"
-            "one that is there already is replaced when it is a UFO.\n",
-    .takes = "oatcFS",
+            "its characters in both fonts; of --chars those are left out that one font lacks. With --glyphs "
+            "first the\n"
+            "first font alone counts for all this, and what the second lacks stays as it is in the first. A "
+            "glyph that\n"
+            "cannot be blended is named on stderr, and the nearer font's own outline stands in for it. "
+            "OUT.ufo is "
+            "a\n"
+            "directory; one that is there already is replaced when it is a UFO.\n",
+    .takes = "oatcFGS",
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

@@ -1,21 +1,13 @@
-/* Forms: the glyphs that features lead to from glyphs that are paired already.
- *
- * A group is what one feature applies in both fonts: for one script and language, or for all of them together. The
- * groups are gone through until none of them pairs any more. */
+/* Forms: the glyphs that features lead to from glyphs that are paired already. The groups of lookups are gone through
+ * until none of them pairs any more. */
 #include "font/match.h"
 
 #include <stdlib.h>
-#include <string.h>
 
-#include "font/sfnt.h"
+#include "font/match_groups.h"
 #include "geometry/limits.h"
 
-enum {
-    STAGES = 3,
-    FEATURES_MAX = 512, /* of a language system */
-    GROUPS_MAX = 2048,
-    INPUTS_MAX = 64, /* of a ligature */
-};
+enum { INPUTS_MAX = 64 }; /* of a ligature */
 
 /* A substitution of B's, and its place in its lookup. */
 typedef struct mt_sorted_substitution {
@@ -28,18 +20,11 @@ typedef struct mt_sorted_lookup {
     mt_sorted_substitution *list; /* by inputs, then by order */
 } mt_sorted_lookup;
 
-typedef struct mt_group {
-    int stage;
-    bool *a, *b; /* for each lookup of the font: it is applied */
-} mt_group;
-
 typedef struct mt_forms {
     mt_match *match;
     const mt_gsub *a, *b;
-    mt_arena *arena;
     mt_sorted_lookup *sorted; /* for each lookup of B's */
-    int group_count;
-    mt_group *groups;
+    mt_groups groups;
     int64_t left; /* of the comparisons that are made: fonts made for it would take very many */
 } mt_forms;
 
@@ -84,79 +69,6 @@ static int find_inputs(const mt_sorted_lookup *sorted, const uint16_t *inputs, i
             high = middle;
     }
     return low;
-}
-
-/* ---- groups -------------------------------------------------------------------------------------------- */
-
-/* Marks what features of the tag apply: those of the system, or all of the font's where it is NULL. */
-static void mark_tag(const mt_gsub *gsub, const mt_system *system, uint32_t tag, bool *marked) {
-    const mt_layout *layout = &gsub->layout;
-    int count = system ? system->feature_count + 1 : layout->feature_count;
-    for (int i = 0; i < count; i++) {
-        int feature = system ? mt_system_feature(layout, system, i) : i;
-        if (feature >= 0 && mt_feature_tag(layout, feature) == tag) mt_gsub_mark(gsub, feature, marked);
-    }
-}
-
-static bool is_known(const mt_forms *forms, const mt_group *group) {
-    size_t count_a = (size_t)forms->a->layout.lookup_count, count_b = (size_t)forms->b->layout.lookup_count;
-    for (int i = 0; i < forms->group_count; i++) {
-        const mt_group *known = &forms->groups[i];
-        if (known->stage == group->stage && memcmp(known->a, group->a, count_a) == 0 &&
-            memcmp(known->b, group->b, count_b) == 0)
-            return true;
-    }
-    return false;
-}
-
-/* 'aalt' numbers what the other features lead to, differently in each font: it comes last. */
-static mt_status add_group(mt_forms *forms, uint32_t tag, const mt_system *in_a, const mt_system *in_b) {
-    mt_arena_place before = mt_arena_mark(forms->arena);
-    size_t count_a = (size_t)forms->a->layout.lookup_count, count_b = (size_t)forms->b->layout.lookup_count;
-    mt_group group = {.stage = tag == MT_TAG('a', 'a', 'l', 't') ? 2 : in_a ? 0 : 1};
-    forms->left -= (int64_t)(count_a + count_b) * (forms->group_count + 16) / 16;
-    if (forms->group_count == GROUPS_MAX || forms->left < 0) return MT_OK;
-    group.a = mt_arena_new(forms->arena, count_a, sizeof *group.a);
-    group.b = mt_arena_new(forms->arena, count_b, sizeof *group.b);
-    if (!group.a || !group.b) return MT_NO_MEMORY;
-    mark_tag(forms->a, in_a, tag, group.a);
-    mark_tag(forms->b, in_b, tag, group.b);
-    if (is_known(forms, &group))
-        mt_arena_rewind(forms->arena, before);
-    else
-        forms->groups[forms->group_count++] = group;
-    return MT_OK;
-}
-
-static const mt_system *find_system(const mt_layout *layout, const mt_system *like) {
-    for (int i = 0; i < layout->system_count; i++)
-        if (layout->systems[i].script == like->script && layout->systems[i].language == like->language)
-            return &layout->systems[i];
-    return NULL;
-}
-
-/* A group for each feature of a system that both fonts have. */
-static mt_status group_system(mt_forms *forms, const mt_system *in_a) {
-    const mt_system *in_b = find_system(&forms->b->layout, in_a);
-    mt_status status = MT_OK;
-    for (int i = 0; in_b && i <= in_a->feature_count && i < FEATURES_MAX && status == MT_OK; i++) {
-        int feature = mt_system_feature(&forms->a->layout, in_a, i);
-        if (feature >= 0) status = add_group(forms, mt_feature_tag(&forms->a->layout, feature), in_a, in_b);
-    }
-    return status;
-}
-
-static mt_status make_groups(mt_forms *forms) {
-    const mt_layout *layout = &forms->a->layout;
-    mt_status status = MT_OK;
-    forms->groups = mt_arena_new(forms->arena, GROUPS_MAX, sizeof *forms->groups);
-    if (!forms->groups) return MT_NO_MEMORY;
-    for (int i = 0; i < layout->system_count && status == MT_OK; i++)
-        status = group_system(forms, &layout->systems[i]);
-    for (int i = 0; i < layout->feature_count && status == MT_OK; i++)
-        if (i == 0 || mt_feature_tag(layout, i) != mt_feature_tag(layout, i - 1))
-            status = add_group(forms, mt_feature_tag(layout, i), NULL, NULL);
-    return status;
 }
 
 /* ---- pairing ------------------------------------------------------------------------------------------- */
@@ -238,10 +150,10 @@ static bool pair_group(mt_forms *forms, const mt_group *group) {
 
 /* A later stage is gone to only when the earlier ones pair no more. */
 static void pair_groups(mt_forms *forms) {
-    for (int stage = 0; stage < STAGES && forms->left >= 0; stage++) {
+    for (int stage = 0; stage < MT_GROUP_STAGES && forms->left >= 0; stage++) {
         bool paired = false;
-        for (int i = 0; i < forms->group_count; i++)
-            if (forms->groups[i].stage == stage) paired |= pair_group(forms, &forms->groups[i]);
+        for (int i = 0; i < forms->groups.count; i++)
+            if (forms->groups.list[i].stage == stage) paired |= pair_group(forms, &forms->groups.list[i]);
         if (paired) stage = -1;
     }
 }
@@ -249,13 +161,13 @@ static void pair_groups(mt_forms *forms) {
 mt_status mt_match_forms(mt_match *match, const mt_gsub *a, const mt_gsub *b, mt_arena *arena) {
     int lookups = b->layout.lookup_count;
     if (!lookups || !a->layout.lookup_count) return MT_OK;
-    mt_forms forms = {.match = match, .a = a, .b = b, .arena = arena, .left = MT_COMPARISONS_MAX};
+    mt_forms forms = {.match = match, .a = a, .b = b, .left = MT_COMPARISONS_MAX};
     forms.sorted = mt_arena_new(arena, (size_t)lookups, sizeof *forms.sorted);
     if (!forms.sorted) return MT_NO_MEMORY;
     mt_status status = MT_OK;
     for (int i = 0; i < lookups && status == MT_OK; i++)
         status = sort_lookup(&b->lookups[i], arena, &forms.sorted[i]);
-    if (status == MT_OK) status = make_groups(&forms);
+    if (status == MT_OK) status = mt_match_groups(a, b, arena, &forms.groups);
     if (status == MT_OK) pair_groups(&forms);
     return status;
 }

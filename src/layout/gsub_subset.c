@@ -69,10 +69,11 @@ static bool keeps_order(const hb_subset_plan_t *plan, const uint16_t *kept, int 
 }
 
 static mt_status subset(hb_face_t *face, const hb_subset_input_t *input, const uint16_t *kept, int count,
-                        mt_arena *arena, mt_layout_tables *tables) {
+                        mt_arena *arena, mt_layout_tables *tables, bool *held) {
     hb_subset_plan_t *plan = hb_subset_plan_create_or_fail(face, input);
     if (!plan) return MT_NO_MEMORY;
-    hb_face_t *made = keeps_order(plan, kept, count) ? hb_subset_plan_execute_or_fail(plan) : NULL;
+    *held = keeps_order(plan, kept, count);
+    hb_face_t *made = *held ? hb_subset_plan_execute_or_fail(plan) : NULL;
     mt_status status = MT_OK;
     if (made) {
         status = take_table(made, MT_TAG('G', 'S', 'U', 'B'), arena, &tables->gsub);
@@ -83,9 +84,9 @@ static mt_status subset(hb_face_t *face, const hb_subset_input_t *input, const u
     return status;
 }
 
-/* All features and all scripts; of glyphs those that are kept. */
-static mt_status prune(hb_face_t *face, const uint16_t *kept, int count, mt_arena *arena,
-                       mt_layout_tables *tables) {
+/* All features and all scripts; of glyphs those that are kept. *held tells whether no other glyphs came with them. */
+static mt_status prune_face(hb_face_t *face, const uint16_t *kept, int count, mt_arena *arena,
+                            mt_layout_tables *tables, bool *held) {
     hb_subset_input_t *input = hb_subset_input_create_or_fail();
     if (!input) return MT_NO_MEMORY;
     hb_set_t *features = hb_subset_input_set(input, HB_SUBSET_SETS_LAYOUT_FEATURE_TAG);
@@ -94,7 +95,7 @@ static mt_status prune(hb_face_t *face, const uint16_t *kept, int count, mt_aren
     hb_set_invert(features);
     for (int i = 0; i < count; i++) hb_set_add(glyphs, kept[i]);
     bool filled = hb_set_allocation_successful(features) && hb_set_allocation_successful(glyphs);
-    mt_status status = filled ? subset(face, input, kept, count, arena, tables) : MT_NO_MEMORY;
+    mt_status status = filled ? subset(face, input, kept, count, arena, tables, held) : MT_NO_MEMORY;
     hb_subset_input_destroy(input);
     return status;
 }
@@ -113,19 +114,28 @@ static mt_status cut_gsub(const mt_font *font, const uint16_t *kept, int count, 
     return mt_gsub_cut(&gsub, is_kept, arena, cut);
 }
 
+static mt_status prune(const mt_font *font, mt_bytes gsub, mt_bytes gdef, const uint16_t *kept, int count,
+                       mt_arena *arena, mt_layout_tables *tables, bool *held) {
+    uint8_t maxp[6];
+    *held = true;
+    if (!gsub.length && !gdef.length) return MT_OK;
+    hb_face_t *face = make_face(gsub, gdef, mt_font_glyph_count(font), maxp);
+    if (!face) return MT_NO_MEMORY;
+    mt_status status = prune_face(face, kept, count, arena, tables, held);
+    hb_face_destroy(face);
+    return status;
+}
+
 mt_status mt_gsub_subset(const mt_font *font, const uint16_t *kept, int count, mt_arena *arena,
                          mt_layout_tables *tables) {
     mt_bytes gsub, gdef;
-    uint8_t maxp[6];
     mt_layout_tables made = {0};
+    bool held;
     mt_status status = cut_gsub(font, kept, count, arena, &gsub);
     if (status == MT_OK) status = mt_font_table(font, MT_TAG('G', 'D', 'E', 'F'), arena, &gdef);
     if (status == MT_OK) status = plain_gdef(gdef, arena, &gdef);
-    if (status == MT_OK && (gsub.length || gdef.length)) {
-        hb_face_t *face = make_face(gsub, gdef, mt_font_glyph_count(font), maxp);
-        status = face ? prune(face, kept, count, arena, &made) : MT_NO_MEMORY;
-        hb_face_destroy(face);
-    }
+    if (status == MT_OK) status = prune(font, gsub, gdef, kept, count, arena, &made, &held);
+    if (status == MT_OK && !held) status = prune(font, (mt_bytes){0}, gdef, kept, count, arena, &made, &held);
     if (status == MT_OK) *tables = made;
     return status;
 }

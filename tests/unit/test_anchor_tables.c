@@ -273,7 +273,7 @@ static void the_last_lookup_of_b_decides(void **state) {
     add_lookup(&made_b, MT_MARK_TO_BASE, &first, NULL);
     add_lookup(&made_b, MT_MARK_TO_BASE, &last, NULL);
     mt_small a = open_small("a.ttf", wide, &made_a), b = open_small("b.ttf", high, &made_b);
-    mt_pairing glyphs[] = {{0, 0, 0}, {'A', 1, 1}, {'o', 2, 2}, {0xE9, 3, 3}};
+    mt_pairing glyphs[] = {{0, 0, 0, false}, {'A', 1, 1, true}, {'o', 2, 2, true}, {0xE9, 3, 3, true}};
     mt_charset charset = {.glyph_count = 4, .glyphs = glyphs};
     mt_anchors anchors = blend_small(&a, &b, &charset);
     assert_int_equal(anchors.lookups[0].attachment_count, 2); /* of both, and the rest */
@@ -332,7 +332,7 @@ static mt_status blend_without(long failing, const char *paths[2]) {
     mt_systems systems;
     mt_anchors anchors;
     mt_made_lookups made = {0};
-    mt_pairing glyphs[] = {{0, 0, 0}, {'A', 1, 1}, {'o', 2, 2}, {0xE9, 3, 3}};
+    mt_pairing glyphs[] = {{0, 0, 0, false}, {'A', 1, 1, true}, {'o', 2, 2, true}, {0xE9, 3, 3, true}};
     mt_charset charset = {.glyph_count = 4, .glyphs = glyphs};
     for (int i = 0; i < 2; i++) {
         mt_bytes gpos;

@@ -44,7 +44,7 @@ static mt_status make_positions(mt_font *a, mt_font *b, mt_arena *made) {
     mt_positions *positions;
     mt_bytes gpos;
     mt_kerning kerning;
-    mt_status status = mt_charset_make(a, b, NULL, 0, made, &charset);
+    mt_status status = mt_charset_make(a, b, &(mt_charset_request){0}, made, &charset);
     if (status == MT_OK) status = mt_positions_prepare(a, b, &charset, 1000, made, &positions);
     if (status == MT_OK) status = mt_positions_write(positions, 0.5, made, &gpos);
     if (status == MT_OK) assert_true(gpos.length > 0);

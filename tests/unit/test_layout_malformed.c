@@ -58,7 +58,7 @@ static void blend_with(uint32_t tag, mt_bytes table, mt_font *other) {
         mt_bytes gpos;
         mt_kerning kerning;
         mt_font *a = k ? other : font, *b = k ? font : other;
-        mt_assert_ok(mt_charset_make(a, b, NULL, 0, &scratch, &charset));
+        mt_assert_ok(mt_charset_make(a, b, &(mt_charset_request){0}, &scratch, &charset));
         mt_assert_ok(mt_positions_prepare(a, b, &charset, 1000, &scratch, &positions));
         mt_status status = mt_positions_write(positions, 0.5, &scratch, &gpos);
         assert_true(status == MT_OK || status == MT_TOO_LARGE);
