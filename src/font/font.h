@@ -19,9 +19,9 @@ typedef struct mt_metrics {
     double weight_class, width_class; /* OS/2: 1 … 1000, 1 … 9 */
     double caret_offset;
     double vhea_ascender, vhea_descender,
-        vhea_line_gap; /* from the line's middle to the right and to the left */
-    uint8_t panose[10];
-    int family_class; /* OS/2 sFamilyClass */
+        vhea_line_gap;  /* from the line's middle to the right and to the left */
+    uint8_t panose[10]; /* panose.h */
+    int family_class;   /* OS/2 sFamilyClass */
     bool monospaced, use_typo_metrics;
     bool vertical; /* there are metrics for vertical lines; otherwise vhea's figures are made up */
 } mt_metrics;

@@ -1,6 +1,7 @@
 #include "font/recipe.h"
 
-#include <math.h>
+#include "font/panose.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,9 +24,20 @@ static double mixed(mt_scale scale, double a, double b) {
     return scale.a * a + scale.b * b;
 }
 
+/* Where only one font has its typographic lines used, the other's are hhea's, and the blend's are used: lines are then as
+ * far apart as something between the two fonts' own. The ends do as their fonts do. */
+static void settle_lines(mt_metrics *a, mt_metrics *b, double t) {
+    if (a->use_typo_metrics == b->use_typo_metrics || t <= 0 || t >= 1) return;
+    mt_metrics *other = a->use_typo_metrics ? b : a;
+    other->typo_ascender = other->hhea_ascender;
+    other->typo_descender = other->hhea_descender;
+    other->typo_line_gap = other->hhea_line_gap;
+    other->use_typo_metrics = true;
+}
+
 static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale s, double t) {
     mt_scale plain = {1 - t, t}; /* for what is not measured in font units */
-    return (mt_metrics){
+    mt_metrics mix = {
         .hhea_ascender = mixed(s, a->hhea_ascender, b->hhea_ascender),
         .hhea_descender = mixed(s, a->hhea_descender, b->hhea_descender),
         .hhea_line_gap = mixed(s, a->hhea_line_gap, b->hhea_line_gap),
@@ -52,9 +64,16 @@ static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale
         .weight_class = mixed(plain, a->weight_class, b->weight_class),
         .width_class = mixed(plain, a->width_class, b->width_class),
         .caret_offset = mixed(s, a->caret_offset, b->caret_offset),
-        .monospaced = a->monospaced && b->monospaced,
-        .use_typo_metrics = a->use_typo_metrics && b->use_typo_metrics,
+        .vhea_ascender = mixed(s, a->vhea_ascender, b->vhea_ascender),
+        .vhea_descender = mixed(s, a->vhea_descender, b->vhea_descender),
+        .vhea_line_gap = mixed(s, a->vhea_line_gap, b->vhea_line_gap),
+        .family_class = a->family_class == b->family_class ? a->family_class : 0,
+        .monospaced = (a->monospaced || t >= 1) && (b->monospaced || t <= 0),
+        .use_typo_metrics = t < 1 ? a->use_typo_metrics : b->use_typo_metrics,
+        .vertical = a->vertical || b->vertical,
     };
+    mt_panose_mix(a->panose, b->panose, t, mix.panose);
+    return mix;
 }
 
 /* ---- names --------------------------------------------------------------------------------------------- */
@@ -142,6 +161,7 @@ mt_status mt_recipe_fill(const mt_font *a, const mt_font *b, double t, const cha
     mt_font_metrics(a, &in_a);
     mt_font_metrics(b, &in_b);
     mt_scale scale = {(1 - t) * data->units / mt_font_units(a), t * data->units / mt_font_units(b)};
+    settle_lines(&in_a, &in_b, t);
     data->metrics = mix_metrics(&in_a, &in_b, scale, t);
     data->created = data->modified = date_of(a, b);
     data->embedding = stricter(mt_font_embedding(a), mt_font_embedding(b));
