@@ -73,9 +73,16 @@ static void free_products(products *made) {
     mt_free(made->lengths);
 }
 
+/* An mt_warning. */
+static void warn(const char *line, void *user) {
+    (void)user;
+    say("%s", line);
+}
+
 static int blend(cli_work *work) {
     products made = {0};
-    mt_status status = make(work, &made);
+    mt_status status = work->options->quiet ? MT_OK : mt_blend_warnings(work->blend, warn, NULL);
+    if (status == MT_OK) status = make(work, &made);
     int outcome = status == MT_OK ? work_failures(work) : work_fail(work, status);
     if (outcome == DONE) outcome = write_files(work->options, &made);
     free_products(&made);

@@ -17,6 +17,7 @@
 #include "font/file.h"
 #include "font/pair.h"
 #include "font/recipe.h"
+#include "font/review.h"
 #include "geometry/limits.h"
 
 struct mt_blend {
@@ -67,6 +68,10 @@ mt_status mt_blend_set_family(mt_blend *blend, const char *name) {
     mt_free(blend->family);
     blend->family = copy;
     return MT_OK;
+}
+
+mt_status mt_blend_warnings(const mt_blend *blend, mt_warning call, void *user) {
+    return mt_review(blend->a, blend->b, blend->family, call, user);
 }
 
 mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count) {

@@ -2,9 +2,7 @@
 
 #include "font/panose.h"
 
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 int mt_recipe_units(const mt_font *a, const mt_font *b) {
     int units = mt_font_units(a) > mt_font_units(b) ? mt_font_units(a) : mt_font_units(b);
@@ -76,61 +74,6 @@ static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale
     return mix;
 }
 
-/* ---- names --------------------------------------------------------------------------------------------- */
-
-static const char *or_empty(const char *text) {
-    return text ? text : "";
-}
-
-/* Both texts, or the one when the other is the same or missing; NULL when both are missing. *failed on no
- * memory. */
-static const char *both(const char *a, const char *b, const char *between, mt_arena *arena, bool *failed) {
-    if (!a || !b || strcmp(a, b) == 0) return a ? a : b;
-    size_t room = strlen(a) + strlen(between) + strlen(b) + 1;
-    char *text = mt_arena_new(arena, room, 1);
-    if (text)
-        snprintf(text, room, "%s%s%s", a, between, b);
-    else
-        *failed = true;
-    return text;
-}
-
-/* FNV-1a (Fowler, Noll, Vo), folded to 16 bits: enough to keep the families of different pairs apart in a
- * font menu. */
-static unsigned short_hash(const char *text, unsigned hash) {
-    for (; *text; text++) hash = (hash ^ (unsigned char)*text) * 16777619u;
-    return hash;
-}
-
-enum { NAME_ROOM = 64, RECIPE_ROOM = 1024 };
-
-static mt_status fill_names(const mt_names *a, const mt_names *b, double t, const char *family,
-                            mt_arena *arena, mt_font_data *data) {
-    char *made_family = mt_arena_new(arena, NAME_ROOM, 1), *style = mt_arena_new(arena, NAME_ROOM, 1);
-    char *unique = mt_arena_new(arena, RECIPE_ROOM, 1), *recipe = mt_arena_new(arena, RECIPE_ROOM, 1);
-    if (!made_family || !style || !unique || !recipe) return MT_NO_MEMORY;
-    const char *sources[4] = {or_empty(a->family), or_empty(a->style), or_empty(b->family),
-                              or_empty(b->style)};
-    unsigned hash = 2166136261u;
-    for (int i = 0; i < 4; i++) hash = short_hash(sources[i], hash) * 16777619u;
-    snprintf(made_family, NAME_ROOM, "Morphotype %04X", (hash >> 16 ^ hash) & 0xFFFF);
-    snprintf(style, NAME_ROOM, "At %g", t);
-    snprintf(recipe, RECIPE_ROOM, "Between %s %s (T = 0) and %s %s (T = 1), at T = %g, by Morphotype %s",
-             sources[0], sources[1], sources[2], sources[3], t, MORPHOTYPE_VERSION);
-    data->family = family ? family : made_family;
-    data->style = style;
-    snprintf(unique, RECIPE_ROOM, "Morphotype %s: %s %s, %s %s, %g", MORPHOTYPE_VERSION, sources[0],
-             sources[1], sources[2], sources[3], t);
-    data->unique_id = unique;
-    data->version = "Version 1.000; Morphotype " MORPHOTYPE_VERSION;
-    data->description = recipe;
-    bool failed = false;
-    data->copyright = both(a->copyright, b->copyright, "\n", arena, &failed);
-    data->license = both(a->license, b->license, "\n", arena, &failed);
-    data->license_url = both(a->license_url, b->license_url, " ", arena, &failed);
-    return failed ? MT_NO_MEMORY : MT_OK;
-}
-
 /* ---- dates and rights ---------------------------------------------------------------------------------- */
 
 /* Seconds since 1904: SOURCE_DATE_EPOCH (seconds since 1970) when it is set, else the newer of the sources'
@@ -165,8 +108,5 @@ mt_status mt_recipe_fill(const mt_font *a, const mt_font *b, double t, const cha
     data->metrics = mix_metrics(&in_a, &in_b, scale, t);
     data->created = data->modified = date_of(a, b);
     data->embedding = stricter(mt_font_embedding(a), mt_font_embedding(b));
-    mt_names names_a, names_b;
-    mt_font_names(a, &names_a);
-    mt_font_names(b, &names_b);
-    return fill_names(&names_a, &names_b, t, family, arena, data);
+    return mt_recipe_names(a, b, t, family, arena, data);
 }

@@ -14,4 +14,8 @@ int mt_recipe_units(const mt_font *a, const mt_font *b);
 mt_status mt_recipe_fill(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
                          mt_font_data *data);
 
+/* recipe_names.c: the names alone. */
+mt_status mt_recipe_names(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
+                          mt_font_data *data);
+
 #endif
