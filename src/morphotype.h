@@ -124,6 +124,13 @@ MT_API void mt_blend_on_progress(mt_blend *blend, mt_progress call, void *user);
 /* Names the fonts that follow: the family NAME in place of a name made from both; NULL goes back to that. */
 MT_API mt_status mt_blend_set_family(mt_blend *blend, const char *name);
 
+/* Called with a line of English, without a full stop; it lasts as long as the call. */
+typedef void (*mt_warning)(const char *line, void *user);
+/* What to know before a font of this blend goes out, a call for each: what a source's embedding bits or licence restrict,
+ * a family name given that has a name in it which a source keeps for itself, tables that are left out. It is no judgement
+ * on rights, and silence is none. MT_NO_MEMORY. */
+MT_API mt_status mt_blend_warnings(const mt_blend *blend, mt_warning call, void *user);
+
 /* Keeps only these characters (code points in any order), for a strip or a subset; count 0 means all shared
  * ones. */
 MT_API mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count);

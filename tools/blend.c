@@ -76,12 +76,23 @@ static int check_outputs(const outputs *named) {
     return outcome;
 }
 
+/* An mt_warning. */
+static void warn(const char *line, void *user) {
+    (void)user;
+    say("%s", line);
+}
+
+static int make(cli_work *work, const outputs *named) {
+    mt_status status = work->options->quiet ? MT_OK : mt_blend_warnings(work->blend, warn, NULL);
+    return status == MT_OK ? save(work, named) : work_fail(work, status);
+}
+
 static int blend(cli_options *options, const outputs *named) {
     cli_work work;
     int outcome = check_outputs(named);
     if (outcome != DONE) return outcome;
     outcome = work_begin(options, &work);
-    if (outcome == DONE) outcome = save(&work, named);
+    if (outcome == DONE) outcome = make(&work, named);
     work_end(&work);
     return outcome;
 }

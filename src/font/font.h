@@ -19,9 +19,9 @@ typedef struct mt_metrics {
     double weight_class, width_class; /* OS/2: 1 … 1000, 1 … 9 */
     double caret_offset;
     double vhea_ascender, vhea_descender,
-        vhea_line_gap; /* from the line's middle to the right and to the left */
-    uint8_t panose[10];
-    int family_class; /* OS/2 sFamilyClass */
+        vhea_line_gap;  /* from the line's middle to the right and to the left */
+    uint8_t panose[10]; /* panose.h */
+    int family_class;   /* OS/2 sFamilyClass */
     bool monospaced, use_typo_metrics;
     bool vertical; /* there are metrics for vertical lines; otherwise vhea's figures are made up */
 } mt_metrics;
@@ -33,6 +33,8 @@ typedef struct mt_names {
 
 int mt_font_units(const mt_font *font);        /* per em */
 const char *mt_font_spec(const mt_font *font); /* as it was opened */
+const char *
+mt_font_choice(const mt_font *font); /* of a face and axes, as the spec has it after the file's name; or "" */
 void mt_font_metrics(const mt_font *font, mt_metrics *metrics);
 void mt_font_names(const mt_font *font, mt_names *names);
 int64_t mt_font_modified(const mt_font *font);   /* head's time: seconds since 1904; 0 when there is none */
@@ -46,6 +48,8 @@ typedef struct mt_bytes {
 /* A table of an sfnt font, out of any container, in the arena; no bytes where the font has none of that tag or is no
  * sfnt. Not for two threads at once. MT_NO_MEMORY. */
 mt_status mt_font_table(const mt_font *font, uint32_t tag, mt_arena *arena, mt_bytes *table);
+
+bool mt_font_has_table(const mt_font *font, uint32_t tag);
 
 /* The place on the axes of 'fvar' that the font was opened at: normalized, after 'avar', 16.16 in -1 … 1, one an axis.
  * Returns how many; 0 for a font that does not vary. They belong to the font. */
@@ -72,7 +76,7 @@ typedef struct mt_vertical {
     double advance, origin;
 } mt_vertical;
 
-/* From VORG, vmtx and VVAR; where the font has no vertical metrics, the typographic lines' height and ascender.
+/* From VORG, vmtx and VVAR; where the font has no vertical metrics for it, the typographic lines' height and ascender.
  * MT_NO_MEMORY, MT_BAD_GLYPH. Not for two threads at once. */
 mt_status mt_font_vertical(mt_font *font, uint32_t glyph, mt_vertical *vertical);
 

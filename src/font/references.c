@@ -5,8 +5,6 @@
  * out at the same time. */
 #include "handle.h"
 
-#include FT_TRUETYPE_TABLES_H
-
 #include "sfnt.h"
 
 enum {
@@ -94,10 +92,8 @@ static mt_status read_references(mt_font *font, void *user) {
 
 mt_status mt_font_references(mt_font *font, uint32_t glyph, mt_arena *arena, mt_references *references) {
     mt_reader reader = {.glyph = glyph, .arena = arena};
-    FT_ULong length = 0;
     if (!font->face) return MT_NO_MEMORY;
-    bool truetype = FT_IS_SFNT(font->face) &&
-                    FT_Load_Sfnt_Table(font->face, MT_TAG('g', 'l', 'y', 'f'), 0, NULL, &length) == 0;
+    bool truetype = mt_font_has_table(font, MT_TAG('g', 'l', 'y', 'f'));
     mt_status status = truetype ? mt_font_guard(font, read_references, &reader) : MT_OK;
     if (status == MT_OK) *references = reader.found;
     return status;

@@ -56,12 +56,10 @@ static bool find_origin(const mt_font *font, uint32_t glyph, double *origin) {
 
 /* The top of the glyph as FreeType takes it: with the control points, for quadratic outlines; the ink's, for cubic
  * ones, whose bearing it passes on as it stands in the table. */
-static mt_status measure_top(FT_Face face, double *top) {
+static mt_status measure_top(const mt_font *font, double *top) {
     FT_BBox box;
-    FT_ULong length = 0;
-    FT_Outline *outline = &face->glyph->outline;
-    bool quadratic = FT_Load_Sfnt_Table(face, MT_TAG('g', 'l', 'y', 'f'), 0, NULL, &length) == 0;
-    if (quadratic)
+    FT_Outline *outline = &font->face->glyph->outline;
+    if (mt_font_has_table(font, MT_TAG('g', 'l', 'y', 'f')))
         FT_Outline_Get_CBox(outline, &box);
     else if (FT_Outline_Get_BBox(outline, &box) != 0)
         return MT_BAD_GLYPH;
@@ -73,7 +71,7 @@ static mt_status measure_origin(mt_font *font, uint32_t glyph, double *origin) {
     double top;
     if (FT_Load_Glyph(font->face, glyph, FLAGS) != 0) return MT_BAD_GLYPH;
     if (font->face->glyph->format != FT_GLYPH_FORMAT_OUTLINE) return MT_BAD_GLYPH;
-    mt_status status = measure_top(font->face, &top);
+    mt_status status = measure_top(font, &top);
     if (status == MT_OK) *origin = (double)font->face->glyph->metrics.vertBearingY + top;
     return status;
 }
@@ -82,17 +80,24 @@ static mt_status measure_origin(mt_font *font, uint32_t glyph, double *origin) {
 
 typedef struct mt_wanted {
     uint32_t glyph;
-    mt_vertical vertical; /* font units */
+    mt_vertical vertical; /* font units; made up from the lines before it is read */
 } mt_wanted;
 
+/* Some fonts give glyphs of theirs no height at all; of one that has a width that is no vertical metric. */
 static mt_status read_vertical(mt_font *font, void *user) {
     mt_wanted *wanted = user;
-    FT_Fixed advance;
-    if (FT_Get_Advance(font->face, wanted->glyph, FLAGS | FT_LOAD_VERTICAL_LAYOUT, &advance) != 0)
+    FT_Fixed width, height;
+    mt_vertical read = {0};
+    if (FT_Get_Advance(font->face, wanted->glyph, FLAGS, &width) != 0) return MT_BAD_GLYPH;
+    if (FT_Get_Advance(font->face, wanted->glyph, FLAGS | FT_LOAD_VERTICAL_LAYOUT, &height) != 0)
         return MT_BAD_GLYPH;
-    wanted->vertical.advance = fabs((double)advance);
-    if (find_origin(font, wanted->glyph, &wanted->vertical.origin)) return MT_OK;
-    return measure_origin(font, wanted->glyph, &wanted->vertical.origin);
+    if (height == 0 && width != 0) return MT_OK;
+    read.advance = fabs((double)height);
+    mt_status status = MT_OK;
+    if (!find_origin(font, wanted->glyph, &read.origin))
+        status = measure_origin(font, wanted->glyph, &read.origin);
+    if (status == MT_OK) wanted->vertical = read;
+    return status;
 }
 
 mt_status mt_font_vertical(mt_font *font, uint32_t glyph, mt_vertical *vertical) {

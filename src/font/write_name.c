@@ -85,6 +85,8 @@ static void add_names(const mt_font_data *data, const mt_summary *summary, mt_na
     add_name(MT_NAME_FULL, data->family, data->style, naming);
     add_name(MT_NAME_VERSION, data->version, NULL, naming);
     add_postscript_name(data, naming);
+    add_name(MT_NAME_TRADEMARK, data->trademark, NULL, naming);
+    add_name(MT_NAME_DESIGNER, data->designer, NULL, naming);
     add_name(MT_NAME_DESCRIPTION, data->description, NULL, naming);
     add_name(MT_NAME_LICENSE, data->license, NULL, naming);
     add_name(MT_NAME_LICENSE_URL, data->license_url, NULL, naming);

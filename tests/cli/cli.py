@@ -21,14 +21,21 @@ SERIF = DEBIAN / 'truetype/dejavu/DejaVuSerif.ttf'
 ZENHEI = DEBIAN / 'truetype/wqy/wqy-zenhei.ttc'
 UKAI = DEBIAN / 'truetype/arphic/ukai.ttc'
 INTER = DEBIAN / 'truetype/inter-vf/Inter-roman.var.ttf'
+NOTO_SANS = f"{DEBIAN / 'opentype/noto/NotoSansCJK-Bold.ttc'}#2"
+NOTO_SERIF = f"{DEBIAN / 'opentype/noto/NotoSerifCJK-Regular.ttc'}#2"
+MONO = DEBIAN / 'truetype/dejavu/DejaVuSansMono.ttf'
+MONO_BOLD = DEBIAN / 'truetype/dejavu/DejaVuSansMono-Bold.ttf'
 DEMO_SANS = SOURCE / 'fonts/MorphotypeDemo-Sans.ttf'
 DEMO_SERIF = SOURCE / 'fonts/MorphotypeDemo-Serif.otf'
+
+# What blend says of DejaVu Serif, always.
+NO_MATH = f'morphotype: colour, bitmap and math tables are left out: MATH of {SERIF}'
 
 
 def cut_font(target, text, blank=''):
     """Makes a font of these characters alone from DejaVu Serif; those in `blank` lose their ink."""
     font = ttLib.TTFont(SERIF)
-    options = subset.Options(drop_tables=subset.Options().drop_tables + ['FFTM'])
+    options = subset.Options(drop_tables=subset.Options().drop_tables + ['FFTM', 'MATH'])
     subsetter = subset.Subsetter(options)
     subsetter.populate(text=text)
     subsetter.subset(font)

@@ -68,7 +68,7 @@ class Test(cli.Test):
         return made | super().files()
 
     def blend(self, output, *arguments, fonts=FONTS):
-        self.assertEqual(self.made('blend', *fonts, '-o', output, *arguments), [])
+        self.assertEqual(self.made('blend', *fonts, '-q', '-o', output, *arguments), [])
         return self.path(output)
 
 

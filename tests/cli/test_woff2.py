@@ -20,7 +20,7 @@ class Out(cli.Test):
     """What blend writes."""
 
     def blend(self, output, *arguments, fonts=(cli.SANS_BOLD, cli.SERIF)):
-        self.assertEqual(self.made('blend', *fonts, '--text', TEXT, '-o', output, *arguments), [])
+        self.assertEqual(self.made('blend', *fonts, '-q', '--text', TEXT, '-o', output, *arguments), [])
         return self.path(output)
 
     def test_holds_the_font(self):
