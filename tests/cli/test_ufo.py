@@ -82,7 +82,7 @@ class Sources(Test):
         self.font, self.ufo = ttLib.TTFont(self.path('x.ttf')), Ufo(self.path('x.ufo'))
 
     def test_built_again_it_has_the_same_outlines(self):
-        self.make('U+0020-007E é Ä Æ Ж Ω')
+        self.make('U+0020-007E U+00A8 U+00B4 é Ä Æ Ж Ω')
         built = self.ufo.build()
         built.save(self.path('built.ttf'))
         built = ttLib.TTFont(self.path('built.ttf'))
@@ -97,6 +97,7 @@ class Sources(Test):
             self.assertEqual(self.font['hmtx'][ours][0], built['hmtx'][theirs][0])
             drawn += len(ends) > 0
         self.assertGreater(drawn, 90)
+        self.assertGreater(sum(glyph.isComposite() for glyph in self.ufo.outlines.values()), 0)
         number = {name: i for i, name in enumerate(self.font.getGlyphOrder())}
         again = {name: i for i, name in enumerate(built.getGlyphOrder())}
         self.assertEqual({code: number[name] for code, name in self.font.getBestCmap().items()},
