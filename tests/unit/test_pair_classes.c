@@ -8,7 +8,12 @@
 #include <math.h>
 #include <time.h>
 
-enum { FIRST = 0xE000, X_ADVANCE = 4 };
+enum {
+    FIRST = 0xE000,
+    X_ADVANCE = 4,
+    DEFAULT = MT_TAG('D', 'F', 'L', 'T'),
+    KERN = MT_TAG('k', 'e', 'r', 'n')
+};
 
 static mt_arena arena;
 static char *directory;
@@ -83,7 +88,7 @@ static mt_test_end blank_end(const char *name, int units, int count, uint32_t ta
 
 static mt_test_end gpos_end(const char *name, int units, int count, const mt_bytes *subtables, int n) {
     return blank_end(name, units, count, MT_TAG('G', 'P', 'O', 'S'),
-                     mt_test_one_lookup(MT_TAG('k', 'e', 'r', 'n'), 2, subtables, n, &arena));
+                     mt_test_one_lookup(DEFAULT, KERN, 2, subtables, n, &arena));
 }
 
 static void compare_random_pairs(mt_test_place *place, int count, int pairs) {
@@ -149,6 +154,20 @@ static void one_of_them_kerns(void **state) {
         mt_test_place_close(&place);
         mt_test_blend_close(&blend);
     }
+}
+
+/* A has a system that other text is not set by; so B's is added. */
+static void a_script_of_the_first_font_alone(void **state) {
+    (void)state;
+    mt_bytes in_a = random_matrix(9, 40, 6, 0, 1), in_b = random_matrix(10, 40, 6, 0, 1);
+    mt_bytes math = mt_test_one_lookup(MT_TAG('m', 'a', 't', 'h'), KERN, 2, &in_a, 1, &arena);
+    mt_test_end a = blank_end("a.ttf", 1000, 40, MT_TAG('G', 'P', 'O', 'S'), math);
+    mt_test_blend blend = mt_test_blend_of(a, gpos_end("b.ttf", 1000, 40, &in_b, 1), &arena);
+    mt_test_place place = mt_test_place_at(&blend, 0.5);
+    compare_random_pairs(&place, 40, 1000);
+    assert_true(place.kerned > 100);
+    mt_test_place_close(&place);
+    mt_test_blend_close(&blend);
 }
 
 /* ---- 'kern' -------------------------------------------------------------------------------------------- */
@@ -258,11 +277,9 @@ static void old_tables_are_read(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_first_subtable_applies),
-        cmocka_unit_test(many_classes),
-        cmocka_unit_test(one_of_them_kerns),
-        cmocka_unit_test(old_tables_are_read),
-        cmocka_unit_test(without_partner_a_kerns_alone),
+        cmocka_unit_test(the_first_subtable_applies), cmocka_unit_test(many_classes),
+        cmocka_unit_test(one_of_them_kerns),          cmocka_unit_test(a_script_of_the_first_font_alone),
+        cmocka_unit_test(old_tables_are_read),        cmocka_unit_test(without_partner_a_kerns_alone),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
