@@ -42,18 +42,11 @@ static void write_words(mt_table *table, const int *words, int count) {
 static mt_bytes kern_table(bool minima) {
     const int head[] = {0, 4 + minima};
     static const int pairs[] = {0, 6 + 8 + 18, 1, 3, 12, 1, 6, 1, 2, -80, 1, 3, 40, 4, 1, -25};
-    static const int classes[] = {0,      6 + 8 + 12 + 12 + 8,
-                                  0x0201, /* header */
-                                  4,      14,
-                                  26,     38, /* row width, class tables, array */
-                                  1,      4,
-                                  38,     38,
-                                  42,     42, /* left: 1, 2 | 3, 4 */
-                                  1,      4,
-                                  0,      2,
-                                  0,      2, /* right: 1, 3 | 2, 4 */
-                                  10,     -30,
-                                  50,     -70};
+    static const int classed[] = {0, 6 + 8 + 12 + 12 + 8, 0x0201, 4, 14, 26,
+                                  38};                /* values from 38 on, 4 bytes a row */
+    static const int left[] = {1, 4, 38, 38, 42, 42}; /* 1, 2 | 3, 4 */
+    static const int right[] = {1, 4, 0, 2, 0, 2};    /* 1, 3 | 2, 4 */
+    static const int values[] = {10, -30, 50, -70};
     static const int vertical[] = {0, 20, 0, 1, 6, 0, 0, 1, 2, 500};
     static const int across[] = {0, 20, 5, 1, 6, 0, 0, 1, 2, 500};
     static const int minimum[] = {0, 20, 3, 1, 6, 0, 0, 1, 2, 500};
@@ -61,7 +54,10 @@ static mt_bytes kern_table(bool minima) {
     write_words(&table, head, 2);
     write_words(&table, vertical, 10);
     write_words(&table, pairs, 16);
-    write_words(&table, classes, 23);
+    write_words(&table, classed, 7);
+    write_words(&table, left, 6);
+    write_words(&table, right, 6);
+    write_words(&table, values, 4);
     write_words(&table, across, 10);
     if (minima) write_words(&table, minimum, 10);
     mt_bytes bytes;
