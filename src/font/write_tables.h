@@ -44,6 +44,9 @@ void mt_write_os2(const mt_font_data *data, const mt_summary *summary, mt_table 
 void mt_write_post(const mt_font_data *data, const mt_summary *summary, mt_table *table);
 void mt_write_name(const mt_font_data *data, const mt_summary *summary, mt_table *table);
 
+/* write_cmap14.c: the subtable of variation sequences. */
+void mt_write_variants(const mt_font_data *data, mt_table *table);
+
 /* write_glyf.c: whether loca needs 32-bit offsets; known when glyf is written. */
 bool mt_loca_is_long(const mt_font_data *data, const mt_summary *summary);
 
