@@ -118,15 +118,6 @@ bool mt_feature_has(const mt_layout *layout, int feature, int lookup) {
     return false;
 }
 
-bool mt_system_has(const mt_layout *layout, const mt_system *system, uint32_t tag, int lookup) {
-    for (int i = 0; i <= system->feature_count; i++) {
-        int feature = mt_system_feature(layout, system, i);
-        if (feature >= 0 && mt_feature_tag(layout, feature) == tag && mt_feature_has(layout, feature, lookup))
-            return true;
-    }
-    return false;
-}
-
 /* ---- lookups ------------------------------------------------------------------------------------------- */
 
 mt_lookup mt_layout_lookup(const mt_layout *layout, int index) {

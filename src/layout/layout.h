@@ -42,13 +42,7 @@ int mt_feature_lookup_count(const mt_layout *layout, int feature);
 int mt_feature_lookup(const mt_layout *layout, int feature, int i); /* -1 when it is out of range */
 bool mt_feature_has(const mt_layout *layout, int feature, int lookup);
 
-/* Whether the system applies the lookup for features of that tag. */
-bool mt_system_has(const mt_layout *layout, const mt_system *system, uint32_t tag, int lookup);
-
-enum {
-    MT_LOOKUP_RIGHT_TO_LEFT = 0x0001,
-    MT_LOOKUP_MARK_SET = 0x0010,
-};
+#define MT_LOOKUP_MARK_SET 0x0010 /* the flag that a lookup has a mark glyph set */
 
 typedef struct mt_lookup {
     int type; /* of the subtables; an extension's where it is one; 0 for a malformed lookup */
