@@ -1,6 +1,7 @@
 #include "work.h"
 
 #include "characters_file.h"
+#include "font/file.h"
 #include "geometry/memory.h"
 #include "hints_file.h"
 #include "messages.h"
@@ -9,7 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #define NAME_ROOM 8192
@@ -23,7 +23,7 @@ int fail_status(const char *what, mt_status status) {
     return fail("%s: %s", what, mt_status_text(status));
 }
 
-static int check_directory(const char *path) {
+int directory_check(const char *path) {
     const char *slash = strrchr(path, '/');
     char *directory = slash ? mt_copy_text(path) : mt_copy_text(".");
     if (!directory) return fail_status(path, MT_NO_MEMORY);
@@ -34,12 +34,8 @@ static int check_directory(const char *path) {
 }
 
 int output_check(const char *path) {
-    struct stat about;
-    if (stat(path, &about) == 0 && !S_ISREG(about.st_mode)) {
-        errno = S_ISDIR(about.st_mode) ? EISDIR : EEXIST;
-        return fail_status(path, MT_CANNOT_WRITE);
-    }
-    return check_directory(path);
+    mt_status status = mt_file_check(path);
+    return status == MT_OK ? directory_check(path) : fail_status(path, status);
 }
 
 int font_open(const char *spec, mt_font **font) {

@@ -1,23 +1,28 @@
-/* The blend of two fonts: pairs their glyphs, sends each pair through the morph, and writes the fonts.
+/* The blend of two fonts: pairs their glyphs, sends each pair through the morph, or builds it from its parts, and writes
+ * the fonts.
  *
  * A glyph is the unit of work. Workers take the next one from a counter; each has an arena for the glyph at
  * hand, emptied after it, and one for the results. A glyph is read and prepared once for all values of T.
  * Results stand in the order of the glyphs, whoever made them, so that the fonts do not depend on the number
- * of workers.
+ * of workers. Composites wait until all of their parts are made: they are made depth by depth.
  */
 #include <math.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <unistd.h>
 
+#include "font/assemble.h"
 #include "font/charset.h"
-#include "font/file.h"
+#include "font/composite.h"
 #include "font/glyph_names.h"
 #include "font/pair.h"
 #include "font/recipe.h"
+#include "font/review.h"
+#include "font/save.h"
 #include "font/sfnt.h"
 #include "geometry/limits.h"
 #include "layout/gsub_subset.h"
+#include "layout/kerning.h"
 
 struct mt_blend {
     mt_font *a, *b;
@@ -71,6 +76,10 @@ mt_status mt_blend_set_family(mt_blend *blend, const char *name) {
     return MT_OK;
 }
 
+mt_status mt_blend_warnings(const mt_blend *blend, mt_warning call, void *user) {
+    return mt_review(blend->a, blend->b, blend->family, call, user);
+}
+
 mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count) {
     uint32_t *copy = count > 0 ? mt_new((size_t)count, sizeof *copy) : NULL;
     if (count > 0 && !copy) return MT_NO_MEMORY;
@@ -116,6 +125,11 @@ static double mixed_advance(const mt_glyph_pair *pair, double t) {
     return (1 - t) * pair->advance_a + t * pair->advance_b;
 }
 
+static mt_vertical mixed_vertical(const mt_glyph_pair *pair, double t) {
+    const mt_vertical *a = &pair->vertical_a, *b = &pair->vertical_b;
+    return (mt_vertical){(1 - t) * a->advance + t * b->advance, (1 - t) * a->origin + t * b->origin};
+}
+
 static void draw_contour(const mt_contour *contour, double scale, const mt_draw *draw, void *user) {
     mt_point start = contour->segments[contour->count - 1].end;
     draw->move_to(start.x * scale, start.y * scale, user);
@@ -156,9 +170,17 @@ typedef struct mt_job {
     const mt_charset *charset;
     const double *t;
     int t_count, units;
+    mt_font_ready ready;
+    void *user;
     mt_layout_tables layout;
     const char **glyph_names; /* NULL: none */
-    mt_glyf **glyphs;         /* for each T, one for each glyph of the charset */
+    mt_positions *positions;
+    mt_glyf **glyphs;    /* for each T, one for each glyph of the charset */
+    mt_extent **extents; /* as many */
+    bool *failed;        /* for each glyph: it could not be blended */
+    mt_composite *composites;
+    int *order; /* the glyphs by depth */
+    int end;    /* of the depth at hand, in the order */
     atomic_int next, done;
     atomic_int status;     /* the first that stops everything */
     pthread_mutex_t fonts; /* FreeType's faces are not for two threads at once; neither are the callbacks */
@@ -169,11 +191,30 @@ typedef struct mt_worker {
     mt_arena scratch, kept;
 } mt_worker;
 
+/* A side's metrics; 0 where they cannot be read. */
+static mt_status read_metrics(mt_font *font, uint32_t glyph, double *advance, mt_vertical *vertical) {
+    mt_status across = mt_font_advance(font, glyph, advance);
+    mt_status down = mt_font_vertical(font, glyph, vertical);
+    return across == MT_NO_MEMORY || down == MT_NO_MEMORY ? MT_NO_MEMORY : MT_OK;
+}
+
+/* A glyph that B has not has A's on both sides. */
+static mt_status read_both_metrics(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair) {
+    mt_job *job = worker->job;
+    bool alone = p.b == MT_NO_PARTNER;
+    pthread_mutex_lock(&job->fonts);
+    mt_status in_a = read_metrics(job->blend->a, p.a, &pair->advance_a, &pair->vertical_a);
+    mt_status in_b = alone ? MT_OK : read_metrics(job->blend->b, p.b, &pair->advance_b, &pair->vertical_b);
+    pthread_mutex_unlock(&job->fonts);
+    if (alone) pair->advance_b = pair->advance_a;
+    if (alone) pair->vertical_b = pair->vertical_a;
+    return in_a != MT_OK ? in_a : in_b;
+}
+
 /* Both sides' shapes; a side that cannot be read has none, and its status is returned. */
 static mt_status read_sides(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair) {
     mt_job *job = worker->job;
     const mt_params *params = &job->blend->params;
-    *pair = (mt_glyph_pair){0};
     pthread_mutex_lock(&job->fonts);
     mt_status in_a =
         mt_glyph_shape(job->blend->a, p.a, params->tolerance, &worker->scratch, &pair->a, &pair->advance_a);
@@ -183,15 +224,72 @@ static mt_status read_sides(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair
     return in_a != MT_OK ? in_a : in_b;
 }
 
+/* The outline, with the metrics at the i-th T. */
+static mt_status make_glyf(mt_worker *worker, const mt_outline *outline, const mt_glyph_pair *pair, int i,
+                           mt_glyf *glyf) {
+    mt_job *job = worker->job;
+    double t = job->t[i];
+    mt_status status = mt_outline_glyf(outline, mixed_advance(pair, t), job->units, &worker->kept, glyf);
+    if (status == MT_OK) mt_glyf_hang(mixed_vertical(pair, t), job->units, glyf);
+    return status;
+}
+
 static mt_status keep_outline(mt_worker *worker, const mt_outline *outline, const mt_glyph_pair *pair,
                               int glyph, int i) {
-    mt_job *job = worker->job;
-    return mt_outline_glyf(outline, mixed_advance(pair, job->t[i]), job->units, &worker->kept,
-                           &job->glyphs[i][glyph]);
+    mt_glyf *kept = &worker->job->glyphs[i][glyph];
+    mt_status status = make_glyf(worker, outline, pair, i, kept);
+    return status == MT_OK ? mt_glyf_extent(kept, NULL, &worker->job->extents[i][glyph]) : status;
 }
+
+/* ---- composites ---------------------------------------------------------------------------------------- */
+
+static bool is_assembled(const mt_job *job, int glyph, int i) {
+    return job->glyphs[i][glyph].reference_count > 0;
+}
+
+static mt_assembly assembly_at(const mt_job *job, int i) {
+    double t = job->t[i];
+    return (mt_assembly){.units = job->units,
+                         .tolerance = job->blend->params.tolerance,
+                         .unit_a = (1 - t) * job->units / mt_font_units(job->blend->a),
+                         .unit_b = t * job->units / mt_font_units(job->blend->b),
+                         .glyphs = job->glyphs[i],
+                         .extents = job->extents[i]};
+}
+
+static bool has_failed_part(const mt_job *job, const mt_composite *composite) {
+    for (int k = 0; k < composite->count; k++)
+        if (job->failed[composite->references[k].glyph]) return true;
+    return false;
+}
+
+/* Makes the composite wherever it can be one. A blended part was turned by itself, so that with a rotation the whole is
+ * not its parts. *whole: the drawing is wanted, for some T. */
+static mt_status assemble(mt_worker *worker, const mt_glyph_pair *pair, int glyph, bool *whole) {
+    mt_job *job = worker->job;
+    const mt_composite *composite = &job->composites[glyph];
+    *whole = composite->count == 0 || has_failed_part(job, composite) ||
+             job->blend->params.rotation != MT_ROTATION_NONE;
+    if (*whole) return MT_OK;
+    for (int i = 0; i < job->t_count; i++) {
+        mt_assembly font = assembly_at(job, i);
+        mt_glyf made;
+        mt_extent *extent = &job->extents[i][glyph];
+        mt_status status = make_glyf(worker, &(mt_outline){0}, pair, i, &made);
+        if (status == MT_OK)
+            status = mt_composite_assemble(composite, &font, &worker->kept, &worker->scratch, &made, extent);
+        if (status == MT_NO_MEMORY) return status;
+        if (status == MT_OK && made.reference_count > 0) job->glyphs[i][glyph] = made;
+        *whole = *whole || !is_assembled(job, glyph, i);
+    }
+    return MT_OK;
+}
+
+/* ---- drawings ------------------------------------------------------------------------------------------ */
 
 static mt_status blend_pair(mt_worker *worker, const mt_glyph_pair *pair, int glyph) {
     for (int i = 0; i < worker->job->t_count; i++) {
+        if (is_assembled(worker->job, glyph, i)) continue;
         mt_outline outline;
         mt_weights weights = mt_weights_at(worker->job->t[i]);
         mt_status status =
@@ -205,6 +303,7 @@ static mt_status blend_pair(mt_worker *worker, const mt_glyph_pair *pair, int gl
 /* The nearer font's own outline instead of the blend; nothing, where that cannot be had either. */
 static mt_status fall_back(mt_worker *worker, const mt_glyph_pair *pair, int glyph) {
     for (int i = 0; i < worker->job->t_count; i++) {
+        if (is_assembled(worker->job, glyph, i)) continue;
         const mt_shape *nearer = worker->job->t[i] < 0.5 ? &pair->a : &pair->b;
         mt_outline outline = {0}, blank = {0};
         mt_status status = mt_shape_outline(nearer, &worker->job->blend->params, &worker->scratch, &outline);
@@ -216,19 +315,17 @@ static mt_status fall_back(mt_worker *worker, const mt_glyph_pair *pair, int gly
 }
 
 /* A glyph that B has not: A's own, at all T. */
-static mt_status keep_own(mt_worker *worker, mt_pairing p, int glyph) {
+static mt_status keep_own(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair, int glyph) {
     mt_job *job = worker->job;
     const mt_params *params = &job->blend->params;
-    mt_glyph_pair pair = {0};
     mt_outline outline = {0};
     pthread_mutex_lock(&job->fonts);
     mt_status status =
-        mt_glyph_shape(job->blend->a, p.a, params->tolerance, &worker->scratch, &pair.a, &pair.advance_a);
+        mt_glyph_shape(job->blend->a, p.a, params->tolerance, &worker->scratch, &pair->a, &pair->advance_a);
     pthread_mutex_unlock(&job->fonts);
-    if (status == MT_OK) status = mt_shape_outline(&pair.a, params, &worker->scratch, &outline);
-    pair.advance_b = pair.advance_a;
+    if (status == MT_OK) status = mt_shape_outline(&pair->a, params, &worker->scratch, &outline);
     for (int i = 0; i < job->t_count && status == MT_OK; i++)
-        status = keep_outline(worker, &outline, &pair, glyph, i);
+        status = keep_outline(worker, &outline, pair, glyph, i);
     return status;
 }
 
@@ -238,19 +335,27 @@ static void report_failure(mt_job *job, uint32_t code_point, mt_status why) {
     pthread_mutex_unlock(&job->fonts);
 }
 
-static mt_status do_glyph(mt_worker *worker, int glyph) {
+static mt_status draw_whole(mt_worker *worker, mt_glyph_pair *pair, int glyph) {
     mt_pairing p = worker->job->charset->glyphs[glyph];
     const mt_blend *blend = worker->job->blend;
     mt_hints hints = mt_hint_index_find(blend->hints, p.a, p.b);
-    mt_glyph_pair pair = {0};
     bool alone = p.b == MT_NO_PARTNER;
-    mt_status status = alone ? keep_own(worker, p, glyph) : read_sides(worker, p, &pair);
+    mt_status status = alone ? keep_own(worker, p, pair, glyph) : read_sides(worker, p, pair);
     if (status == MT_OK && !alone)
-        status = mt_morph_prepare(&pair.a, &pair.b, &hints, &blend->params, &worker->scratch, &pair.morph);
-    if (status == MT_OK && !alone) status = blend_pair(worker, &pair, glyph);
+        status = mt_morph_prepare(&pair->a, &pair->b, &hints, &blend->params, &worker->scratch, &pair->morph);
+    if (status == MT_OK && !alone) status = blend_pair(worker, pair, glyph);
     if (status == MT_OK || status == MT_NO_MEMORY) return status;
+    worker->job->failed[glyph] = true;
     if (glyph != 0) report_failure(worker->job, p.code_point, status); /* nobody asks for .notdef by name */
-    return fall_back(worker, &pair, glyph);
+    return fall_back(worker, pair, glyph);
+}
+
+static mt_status do_glyph(mt_worker *worker, int glyph) {
+    mt_glyph_pair pair = {0};
+    bool whole = false;
+    mt_status status = read_both_metrics(worker, worker->job->charset->glyphs[glyph], &pair);
+    if (status == MT_OK) status = assemble(worker, &pair, glyph, &whole);
+    return status == MT_OK && whole ? draw_whole(worker, &pair, glyph) : status;
 }
 
 static void report_progress(mt_job *job) {
@@ -265,9 +370,9 @@ static void *work(void *argument) {
     mt_worker *worker = argument;
     mt_job *job = worker->job;
     for (;;) {
-        int glyph = atomic_fetch_add(&job->next, 1);
-        if (glyph >= job->charset->glyph_count || atomic_load(&job->status) != MT_OK) break;
-        mt_status status = do_glyph(worker, glyph);
+        int turn = atomic_fetch_add(&job->next, 1);
+        if (turn >= job->end || atomic_load(&job->status) != MT_OK) break;
+        mt_status status = do_glyph(worker, job->order[turn]);
         mt_arena_reset(&worker->scratch);
         if (status != MT_OK)
             atomic_store(&job->status, (int)status);
@@ -283,17 +388,28 @@ static int worker_count(const mt_job *job) {
     return (int)(most < job->charset->glyph_count ? most : job->charset->glyph_count);
 }
 
-/* Runs the job on workers[0 … count); the first works on this thread. A thread that cannot be had is done
- * without. */
-static mt_status run(mt_job *job, mt_worker *workers, int count) {
+/* Runs the depth at hand on workers[0 … count); the first works on this thread. A thread that cannot be had is
+ * done without. */
+static void run_depth(mt_worker *workers, int count) {
     pthread_t threads[256];
     bool started[256] = {false};
-    pthread_mutex_init(&job->fonts, NULL);
-    for (int i = 0; i < count; i++) workers[i].job = job;
     for (int i = 1; i < count; i++) started[i] = pthread_create(&threads[i], NULL, work, &workers[i]) == 0;
     work(&workers[0]);
     for (int i = 1; i < count; i++)
         if (started[i]) pthread_join(threads[i], NULL);
+}
+
+static mt_status run(mt_job *job, mt_worker *workers, int count) {
+    pthread_mutex_init(&job->fonts, NULL);
+    for (int i = 0; i < count; i++) workers[i].job = job;
+    for (int start = 0; start < job->charset->glyph_count; start = job->end) {
+        int depth = job->composites[job->order[start]].depth;
+        job->end = start;
+        while (job->end < job->charset->glyph_count && job->composites[job->order[job->end]].depth == depth)
+            job->end++;
+        atomic_store(&job->next, start);
+        run_depth(workers, count);
+    }
     for (int i = 0; i < count; i++) mt_arena_release(&workers[i].scratch);
     pthread_mutex_destroy(&job->fonts);
     return (mt_status)atomic_load(&job->status);
@@ -305,7 +421,20 @@ static void add_extra(mt_font_data *data, uint32_t tag, mt_bytes table) {
     if (table.length) data->extras[data->extra_count++] = (mt_extra_table){tag, table};
 }
 
-static mt_status write_font(const mt_job *job, int i, mt_arena *arena, uint8_t **bytes, size_t *length) {
+/* As GPOS, and as groups and pairs. */
+static mt_status add_positions(const mt_job *job, double t, mt_arena *arena, mt_font_data *data) {
+    mt_bytes gpos;
+    mt_kerning *kerning = mt_arena_new(arena, 1, sizeof *kerning);
+    if (!kerning) return MT_NO_MEMORY;
+    mt_status status = mt_positions_write(job->positions, t, arena, &gpos);
+    if (status == MT_OK) status = mt_positions_kerning(job->positions, t, arena, kerning);
+    if (status != MT_OK) return status;
+    add_extra(data, MT_TAG('G', 'P', 'O', 'S'), gpos);
+    data->kerning = kerning;
+    return MT_OK;
+}
+
+static mt_status hand_over(const mt_job *job, int i, mt_arena *arena) {
     const mt_charset *charset = job->charset;
     mt_font_data data = {.units = job->units,
                          .glyph_count = charset->glyph_count,
@@ -319,17 +448,14 @@ static mt_status write_font(const mt_job *job, int i, mt_arena *arena, uint8_t *
     add_extra(&data, MT_TAG('G', 'D', 'E', 'F'), job->layout.gdef);
     mt_status status =
         mt_recipe_fill(job->blend->a, job->blend->b, job->t[i], job->blend->family, arena, &data);
-    return status == MT_OK ? mt_font_write(&data, bytes, length) : status;
+    if (status == MT_OK) status = add_positions(job, job->t[i], arena, &data);
+    return status == MT_OK ? job->ready(&data, i, job->user) : status;
 }
 
-static mt_status write_fonts(const mt_job *job, mt_arena *arena, uint8_t **bytes, size_t *lengths) {
-    for (int i = 0; i < job->t_count; i++) {
-        mt_status status = write_font(job, i, arena, &bytes[i], &lengths[i]);
-        if (status == MT_OK) continue;
-        while (i-- > 0) mt_bytes_free(bytes[i]);
-        return status;
-    }
-    return MT_OK;
+static mt_status hand_over_all(const mt_job *job, mt_arena *arena) {
+    mt_status status = MT_OK;
+    for (int i = 0; i < job->t_count && status == MT_OK; i++) status = hand_over(job, i, arena);
+    return status;
 }
 
 /* The first font's substitutions and the names, for the glyphs that are kept. */
@@ -343,54 +469,89 @@ static mt_status make_layout(mt_job *job, mt_arena *arena) {
     return mt_glyph_names_make(job->blend->a, charset, arena, &job->glyph_names);
 }
 
+/* Sorts the glyphs by depth, and keeps their order otherwise. */
+static void order_glyphs(mt_job *job) {
+    int count = job->charset->glyph_count, ordered = 0;
+    for (int depth = 0; depth <= MT_GLYF_DEPTH_MAX; depth++)
+        for (int i = 0; i < count; i++)
+            if (job->composites[i].depth == depth) job->order[ordered++] = i;
+}
+
 static mt_status start_job(mt_job *job, mt_arena *arena) {
     job->blend->unblended = job->charset->unblended_count;
-    job->glyphs = mt_arena_new(arena, (size_t)job->t_count, sizeof *job->glyphs);
-    if (!job->glyphs) return MT_NO_MEMORY;
-    for (int i = 0; i < job->t_count; i++) {
-        job->glyphs[i] = mt_arena_new(arena, (size_t)job->charset->glyph_count, sizeof(mt_glyf));
-        if (!job->glyphs[i]) return MT_NO_MEMORY;
+    size_t places = (size_t)job->t_count, glyphs = (size_t)job->charset->glyph_count;
+    job->glyphs = mt_arena_new(arena, places, sizeof *job->glyphs);
+    job->extents = mt_arena_new(arena, places, sizeof *job->extents);
+    job->failed = mt_arena_new(arena, glyphs, sizeof *job->failed);
+    job->order = mt_arena_new(arena, glyphs, sizeof *job->order);
+    if (!job->glyphs || !job->extents || !job->failed || !job->order) return MT_NO_MEMORY;
+    for (size_t i = 0; i < places; i++) {
+        job->glyphs[i] = mt_arena_new(arena, glyphs, sizeof(mt_glyf));
+        job->extents[i] = mt_arena_new(arena, glyphs, sizeof(mt_extent));
+        if (!job->glyphs[i] || !job->extents[i]) return MT_NO_MEMORY;
     }
+    const mt_blend *blend = job->blend;
+    mt_status status =
+        mt_composites_find(blend->a, blend->b, job->charset, blend->hints, arena, &job->composites);
+    if (status != MT_OK) return status;
+    order_glyphs(job);
     return make_layout(job, arena);
 }
 
-static mt_status blend_fonts(mt_job *job, mt_arena *arena, uint8_t **bytes, size_t *lengths) {
+static mt_status make_fonts(mt_job *job, mt_arena *arena) {
     mt_charset charset;
     mt_blend *blend = job->blend;
     mt_charset_request request = {blend->wanted, blend->wanted_count, blend->set};
     mt_status status = mt_charset_make(blend->a, blend->b, &request, arena, &charset);
     job->charset = &charset;
     if (status == MT_OK) status = start_job(job, arena);
+    if (status == MT_OK)
+        status = mt_positions_prepare(blend->a, blend->b, &charset, job->units, arena, &job->positions);
     if (status != MT_OK) return status;
     int count = worker_count(job);
     mt_worker *workers = mt_arena_new(arena, (size_t)count, sizeof *workers);
     if (!workers) return MT_NO_MEMORY;
     status = run(job, workers, count);
-    if (status == MT_OK) status = write_fonts(job, arena, bytes, lengths);
+    if (status == MT_OK) status = hand_over_all(job, arena);
     for (int i = 0; i < count; i++) mt_arena_release(&workers[i].kept);
     return status;
 }
 
-mt_status mt_blend_fonts(mt_blend *blend, const double *t, int count, uint8_t **bytes, size_t *lengths) {
+mt_status mt_blend_make(mt_blend *blend, const double *t, int count, mt_font_ready ready, void *user) {
     for (int i = 0; i < count; i++)
         if (!is_place(t[i])) return MT_BAD_PARAMETER;
     mt_arena arena = {0};
-    mt_job job = {.blend = blend, .t = t, .t_count = count, .units = mt_blend_units_per_em(blend)};
-    mt_status status = blend_fonts(&job, &arena, bytes, lengths);
+    mt_job job = {.blend = blend,
+                  .t = t,
+                  .t_count = count,
+                  .units = mt_blend_units_per_em(blend),
+                  .ready = ready,
+                  .user = user};
+    mt_status status = make_fonts(&job, &arena);
     mt_arena_release(&arena);
+    return status;
+}
+
+typedef struct mt_font_bytes {
+    uint8_t **bytes;
+    size_t *lengths;
+    int count;
+} mt_font_bytes;
+
+static mt_status keep_bytes(const mt_font_data *data, int index, void *user) {
+    mt_font_bytes *fonts = user;
+    mt_status status = mt_font_write(data, &fonts->bytes[index], &fonts->lengths[index]);
+    if (status == MT_OK) fonts->count++;
+    return status;
+}
+
+mt_status mt_blend_fonts(mt_blend *blend, const double *t, int count, uint8_t **bytes, size_t *lengths) {
+    mt_font_bytes fonts = {bytes, lengths, 0};
+    mt_status status = mt_blend_make(blend, t, count, keep_bytes, &fonts);
+    while (status != MT_OK && fonts.count > 0) mt_bytes_free(bytes[--fonts.count]);
     return status;
 }
 
 mt_status mt_blend_font(mt_blend *blend, double t, uint8_t **bytes, size_t *length) {
     return mt_blend_fonts(blend, &t, 1, bytes, length);
-}
-
-mt_status mt_blend_save(mt_blend *blend, double t, const char *path) {
-    uint8_t *bytes;
-    size_t length;
-    mt_status status = mt_blend_font(blend, t, &bytes, &length);
-    if (status != MT_OK) return status;
-    status = mt_file_write(path, bytes, length);
-    mt_bytes_free(bytes);
-    return status;
 }

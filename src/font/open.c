@@ -87,6 +87,10 @@ const char *mt_font_spec(const mt_font *font) {
     return font->text;
 }
 
+const char *mt_font_choice(const mt_font *font) {
+    return font->text + strlen(font->spec.path);
+}
+
 int mt_font_units(const mt_font *font) {
     return font->units;
 }

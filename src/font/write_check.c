@@ -19,7 +19,8 @@ static mt_status check_differences(const mt_glyf *glyph, int points) {
 }
 
 static mt_status check_glyph(const mt_glyf *glyph) {
-    if (glyph->contour_count < 0) return MT_BAD_PARAMETER;
+    if (glyph->contour_count < 0 || glyph->reference_count < 0) return MT_BAD_PARAMETER;
+    if (glyph->contour_count > 0 && glyph->reference_count > 0) return MT_BAD_PARAMETER;
     if (glyph->contour_count > MT_GLYF_CONTOURS_MAX) return MT_TOO_LARGE;
     for (int i = 0; i < glyph->contour_count; i++) {
         if (glyph->ends[i] >= MT_GLYF_POINTS_MAX) return MT_TOO_LARGE;
@@ -85,8 +86,9 @@ static bool is_utf8(const char *text) {
  * takes at most two bytes for one of UTF-8. */
 static mt_status check_names(const mt_font_data *data) {
     enum { NAME_BYTES_MAX = 65535, OTHERS = 256 };
-    const char *texts[] = {data->family,    data->style,   data->unique_id,   data->version,
-                           data->copyright, data->license, data->license_url, data->description};
+    const char *texts[] = {data->family,    data->style,    data->unique_id,   data->version,
+                           data->copyright, data->license,  data->license_url, data->description,
+                           data->designer,  data->trademark};
     size_t length = 0;
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         if (i < 3 && (!texts[i] || !*texts[i])) return MT_BAD_PARAMETER;

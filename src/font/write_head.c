@@ -3,8 +3,7 @@
 
 #include <string.h>
 
-/* The first decimal number of the version text, such as 1.25 of "Version 1.25; …"; 1 without one. */
-static double revision(const char *version) {
+double mt_font_revision(const char *version) {
     double value = 0, place = 1;
     while (version && *version && (*version < '0' || *version > '9')) version++;
     if (!version || !*version) return 1;
@@ -18,7 +17,7 @@ static double revision(const char *version) {
 void mt_write_head(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
     enum { BASELINE_AT_0 = 1, LEFT_BEARING_AT_0 = 2, SMALLEST_READABLE = 8, STRONGLY_LEFT_TO_RIGHT = 2 };
     mt_table_32(table, 0x00010000);
-    mt_table_fixed(table, revision(data->version));
+    mt_table_fixed(table, mt_font_revision(data->version));
     mt_table_32(table, 0);
     mt_table_32(table, 0x5F0F3CF5); /* magicNumber */
     mt_table_16(table, BASELINE_AT_0 | LEFT_BEARING_AT_0);
@@ -41,9 +40,14 @@ void mt_write_maxp(const mt_font_data *data, const mt_summary *summary, mt_table
     mt_table_16(table, data->glyph_count);
     mt_table_16(table, summary->max_points);
     mt_table_16(table, summary->max_contours);
-    mt_table_zeros(table, 4);  /* of composite glyphs: there are none */
-    mt_table_16(table, 1);     /* maxZones */
-    mt_table_zeros(table, 16); /* of instructions, and of composite glyphs */
+    mt_table_16(table, summary->max_composite_points);
+    mt_table_16(table, summary->max_composite_contours);
+    mt_table_16(table, 1);    /* maxZones */
+    mt_table_zeros(table, 8); /* of the instructions' storage and functions: there are none */
+    mt_table_16(table, 1);    /* maxStackElements: prep's */
+    mt_table_16(table, 0);    /* maxSizeOfInstructions: of glyphs */
+    mt_table_16(table, summary->max_references);
+    mt_table_16(table, summary->max_depth);
 }
 
 /* The names of version 2, as Pascal strings: all are the font's own, numbered from 258 on, but that of .notdef, which is

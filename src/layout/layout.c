@@ -2,12 +2,16 @@
 
 #include "font/sfnt.h"
 
+/* More is no font: the largest have some hundred systems and lookups, each system some hundred features. */
+enum { SYSTEMS_MAX = 4096, LOOKUPS_MAX = 4096, FEATURES_MAX = 1024, ENTRIES_MAX = 65536 };
+
 /* ---- scripts and language systems ---------------------------------------------------------------------- */
 
 static mt_system read_system(mt_bytes table, uint32_t script, uint32_t language) {
-    unsigned required = mt_ot_u16(table, 2);
+    unsigned required = mt_ot_u16(table, 2), count = mt_ot_u16(table, 4);
     return (mt_system){script, language, required == 0xFFFF ? -1 : (int)required,
-                       mt_ot_fit(table, 6, mt_ot_u16(table, 4), 2), mt_ot_at(table, 6)};
+                       mt_ot_fit(table, 6, count < FEATURES_MAX ? count : FEATURES_MAX, 2),
+                       mt_ot_at(table, 6)};
 }
 
 /* Counts only where `systems` is NULL. */
@@ -37,9 +41,6 @@ static int list_systems(mt_bytes scripts, mt_system *systems) {
     }
     return count;
 }
-
-/* More is no font: the largest have some hundred systems and lookups, each system some hundred features. */
-enum { SYSTEMS_MAX = 4096, LOOKUPS_MAX = 4096, ENTRIES_MAX = 65536 };
 
 static int64_t count_entries(const mt_layout *layout) {
     int64_t count = 0;
