@@ -1,8 +1,10 @@
 /* The blend's glyphs for a text are A's: HarfBuzz shapes the same text with A and with the blend, and each glyph of the
  * one has to be that which the glyph of the other was made of. */
 #include "font/charset.h"
+#include "font/sfnt.h"
 #include "font/utf.h"
 #include "geometry/limits.h"
+#include "layout/gsub_subset.h"
 
 #include <hb-ot.h>
 #include <stdio.h>
@@ -11,12 +13,15 @@
 #include "support/check.h"
 #include "support/fonts.h"
 #include "support/gsub.h"
+#include "support/random.h"
 #include "support/sample.h"
 
 #define SANS "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 #define INTER "/usr/share/fonts/truetype/inter-vf/Inter.var.ttf"
 #define URW "/usr/share/fonts/opentype/urw-base35/"
 #define NOTO "/usr/share/fonts/opentype/noto/"
+
+#define COUNT_OF(list) (int)(sizeof(list) / sizeof *(list))
 
 enum { CHARS_MAX = 128, FEATURES_MAX = 8 };
 
@@ -162,8 +167,6 @@ static void check_texts(mt_font *a, mt_font *b, const typed *texts, int count) {
     mt_font_close(b);
 }
 
-#define COUNT_OF(list) (int)(sizeof(list) / sizeof *(list))
-
 /* ---- fonts --------------------------------------------------------------------------------------------- */
 
 static void ligatures_and_languages(void **state) {
@@ -231,6 +234,139 @@ static void vertical(void **state) {
     check_texts(a, b, texts, COUNT_OF(texts));
 }
 
+/* Two weights of a family number their glyphs alike: whatever is paired has the same number, also the forms, which have
+ * no names here. */
+static void weights_of_a_family(void **state) {
+    (void)state;
+    mt_font *a, *b;
+    mt_charset charset;
+    mt_charset_request request = {NULL, 0, MT_GLYPHS_BOTH};
+    mt_font_close(mt_test_font(NOTO "NotoSansCJK-Bold.ttc"));
+    mt_font_close(mt_test_font(NOTO "NotoSansCJK-Regular.ttc"));
+    mt_assert_ok(mt_font_open(NOTO "NotoSansCJK-Bold.ttc#2", &a));
+    mt_assert_ok(mt_font_open(NOTO "NotoSansCJK-Regular.ttc#2", &b));
+    mt_assert_ok(mt_charset_make(a, b, &request, &arena, &charset));
+    int forms = 0;
+    for (int i = 0; i < charset.glyph_count; i++) {
+        assert_int_equal(charset.glyphs[i].a, charset.glyphs[i].b);
+        forms += !charset.glyphs[i].mapped;
+    }
+    assert_in_range(forms, 20000, 65535);
+    mt_font_close(a);
+    mt_font_close(b);
+}
+
+/* ---- random texts -------------------------------------------------------------------------------------- */
+
+/* The new font's characters and substitutions, with blank glyphs of A's advances (to which HarfBuzz looks where a mark
+ * stands alone); its bytes are in the arena. */
+static hb_font_t *open_blank(mt_font *a, hb_font_t *in_a, const mt_charset *charset) {
+    mt_font_data data = mt_sample_font(&arena);
+    mt_layout_tables tables;
+    uint8_t *bytes;
+    size_t length;
+    uint16_t *kept = mt_arena_new(&arena, (size_t)charset->primary_count, sizeof *kept);
+    data.glyph_count = charset->glyph_count;
+    data.glyphs = mt_arena_new(&arena, (size_t)charset->glyph_count, sizeof *data.glyphs);
+    assert_true(kept && data.glyphs);
+    for (int i = 0; i < charset->primary_count; i++) kept[i] = (uint16_t)charset->glyphs[i].a;
+    for (int i = 0; i < charset->glyph_count; i++)
+        data.glyphs[i].advance = (uint16_t)hb_font_get_glyph_h_advance(in_a, charset->glyphs[i].a);
+    data.units = mt_font_units(a);
+    data.char_count = charset->char_count;
+    data.chars = charset->chars;
+    mt_assert_ok(mt_gsub_subset(a, kept, charset->primary_count, &arena, &tables));
+    data.extras[data.extra_count++] = (mt_extra_table){MT_TAG('G', 'S', 'U', 'B'), tables.gsub};
+    if (tables.gdef.length)
+        data.extras[data.extra_count++] = (mt_extra_table){MT_TAG('G', 'D', 'E', 'F'), tables.gdef};
+    mt_assert_ok(mt_font_write(&data, &bytes, &length));
+    uint8_t *copy = mt_arena_new(&arena, length, 1);
+    assert_non_null(copy);
+    memcpy(copy, bytes, length);
+    mt_bytes_free(bytes);
+    return open_shaper(
+        hb_blob_create((const char *)copy, (unsigned)length, HB_MEMORY_MODE_READONLY, NULL, NULL), 0);
+}
+
+typedef struct random_text {
+    char text[128], features[128];
+    typed line;
+} random_text;
+
+/* Two to twelve characters that are next to each other in the font, mostly. */
+static void make_text(mt_random *random, const mt_charset *charset, random_text *made) {
+    static const char *const features[] = {"liga", "-liga", "dlig", "salt", "vert", "fwid", "hwid",
+                                           "ruby", "case",  "aalt", "hist", "ss01", "frac", "sups"};
+    static const char *const languages[] = {NULL, "sr", "ro", "ur", "ja", "ko", "zh-tw", "tr"};
+    int length = 0, count = mt_random_between(random, 2, 12), at = 0;
+    *made = (random_text){.line = {.vertical = mt_random_one_in(random, 4)}};
+    for (int i = 0; i < count; i++) {
+        bool far = i == 0 || mt_random_one_in(random, 6);
+        int last = charset->char_count - 1, most = mt_random_one_in(random, 2) ? 2000 : last;
+        at = far ? mt_random_between(random, 0, most < last ? most : last)
+                 : at + mt_random_between(random, -40, 40);
+        at = at < 0 ? 0 : at > last ? last : at;
+        length += mt_utf8_put(charset->chars[at].code_point, made->text + length);
+    }
+    for (int i = mt_random_between(random, 0, 3); i > 0; i--)
+        snprintf(made->features + strlen(made->features), sizeof made->features - strlen(made->features),
+                 "%s%s", *made->features ? " " : "",
+                 features[mt_random_between(random, 0, COUNT_OF(features) - 1)]);
+    made->line.text = made->text;
+    made->line.features = made->features;
+    made->line.language = languages[mt_random_between(random, 0, COUNT_OF(languages) - 1)];
+}
+
+static bool all_kept(hb_font_t *in_a, const mt_charset *charset, const typed *line) {
+    unsigned count;
+    bool kept = true;
+    hb_buffer_t *shaped = shape(in_a, line);
+    const hb_glyph_info_t *glyphs = hb_buffer_get_glyph_infos(shaped, &count);
+    for (unsigned i = 0; i < count; i++) {
+        int k = 0;
+        while (k < charset->primary_count && charset->glyphs[k].a != glyphs[i].codepoint) k++;
+        kept = kept && k < charset->primary_count;
+    }
+    hb_buffer_destroy(shaped);
+    return kept;
+}
+
+/* Texts whose glyphs in A are all there in the blend. */
+static void check_random(const char *spec_a, const char *spec_b, int cases) {
+    mt_font *a, *b;
+    mt_charset charset;
+    mt_charset_request request = {NULL, 0, MT_GLYPHS_BOTH};
+    mt_assert_ok(mt_font_open(spec_a, &a));
+    mt_assert_ok(mt_font_open(spec_b, &b));
+    mt_assert_ok(mt_charset_make(a, b, &request, &arena, &charset));
+    hb_font_t *in_a = shaper_of(a), *in_blend = open_blank(a, in_a, &charset);
+    int checked = 0;
+    for (int i = 0; i < cases; i++) {
+        mt_random random = mt_random_case(i);
+        random_text text;
+        make_text(&random, &charset, &text);
+        if (!all_kept(in_a, &charset, &text.line)) continue;
+        compare(in_a, in_blend, &charset, &text.line);
+        checked++;
+    }
+    assert_true(checked > cases / 2);
+    hb_font_destroy(in_a);
+    hb_font_destroy(in_blend);
+    mt_font_close(a);
+    mt_font_close(b);
+}
+
+static void random_texts(void **state) {
+    (void)state;
+    mt_font_close(mt_test_font(SANS));
+    mt_font_close(mt_test_font(NOTO "NotoSansCJK-Bold.ttc"));
+    mt_font_close(mt_test_font(NOTO "NotoSerifCJK-Regular.ttc"));
+    mt_font_close(mt_test_font(INTER));
+    check_random(SANS, MT_TEST_SANS, mt_test_cases(1000));
+    check_random(INTER "@wght=300", INTER "@wght=800", mt_test_cases(1000));
+    check_random(NOTO "NotoSansCJK-Bold.ttc#2", NOTO "NotoSerifCJK-Regular.ttc#2", mt_test_cases(400));
+}
+
 /* All that two fonts of 65 535 glyphs have in common is one font. */
 static void as_many_as_a_font_holds(void **state) {
     (void)state;
@@ -285,6 +421,8 @@ int main(void) {
         cmocka_unit_test(variable),
         cmocka_unit_test(postscript_outlines),
         cmocka_unit_test(as_many_as_a_font_holds),
+        cmocka_unit_test(weights_of_a_family),
+        cmocka_unit_test(random_texts),
         cmocka_unit_test(vertical),
         cmocka_unit_test(small_capitals_and_old_figures),
     };
