@@ -14,11 +14,15 @@
 #include "font/assemble.h"
 #include "font/charset.h"
 #include "font/composite.h"
-#include "font/file.h"
+#include "font/glyph_names.h"
 #include "font/pair.h"
 #include "font/recipe.h"
 #include "font/review.h"
+#include "font/save.h"
+#include "font/sfnt.h"
 #include "geometry/limits.h"
+#include "layout/gsub_subset.h"
+#include "layout/kerning.h"
 
 struct mt_blend {
     mt_font *a, *b;
@@ -27,6 +31,8 @@ struct mt_blend {
     char *family;         /* NULL: made from the sources' */
     uint32_t *wanted;
     int wanted_count;
+    mt_glyph_set set;
+    int unblended; /* glyphs of the last fonts */
     mt_glyph_failed failed;
     mt_progress progress;
     void *failed_user, *progress_user;
@@ -82,6 +88,14 @@ mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int c
     blend->wanted = copy;
     blend->wanted_count = count > 0 ? count : 0;
     return MT_OK;
+}
+
+void mt_blend_set_glyphs(mt_blend *blend, mt_glyph_set set) {
+    blend->set = set;
+}
+
+int mt_blend_unblended(const mt_blend *blend) {
+    return blend->unblended;
 }
 
 mt_status mt_blend_set_hints(mt_blend *blend, const mt_hint_table *table, mt_hint_error *error) {
@@ -156,6 +170,11 @@ typedef struct mt_job {
     const mt_charset *charset;
     const double *t;
     int t_count, units;
+    mt_font_ready ready;
+    void *user;
+    mt_layout_tables layout;
+    const char **glyph_names; /* NULL: none */
+    mt_positions *positions;
     mt_glyf **glyphs;    /* for each T, one for each glyph of the charset */
     mt_extent **extents; /* as many */
     bool *failed;        /* for each glyph: it could not be blended */
@@ -179,12 +198,16 @@ static mt_status read_metrics(mt_font *font, uint32_t glyph, double *advance, mt
     return across == MT_NO_MEMORY || down == MT_NO_MEMORY ? MT_NO_MEMORY : MT_OK;
 }
 
+/* A glyph that B has not has A's on both sides. */
 static mt_status read_both_metrics(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair) {
     mt_job *job = worker->job;
+    bool alone = p.b == MT_NO_PARTNER;
     pthread_mutex_lock(&job->fonts);
     mt_status in_a = read_metrics(job->blend->a, p.a, &pair->advance_a, &pair->vertical_a);
-    mt_status in_b = read_metrics(job->blend->b, p.b, &pair->advance_b, &pair->vertical_b);
+    mt_status in_b = alone ? MT_OK : read_metrics(job->blend->b, p.b, &pair->advance_b, &pair->vertical_b);
     pthread_mutex_unlock(&job->fonts);
+    if (alone) pair->advance_b = pair->advance_a;
+    if (alone) pair->vertical_b = pair->vertical_a;
     return in_a != MT_OK ? in_a : in_b;
 }
 
@@ -291,6 +314,21 @@ static mt_status fall_back(mt_worker *worker, const mt_glyph_pair *pair, int gly
     return MT_OK;
 }
 
+/* A glyph that B has not: A's own, at all T. */
+static mt_status keep_own(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair, int glyph) {
+    mt_job *job = worker->job;
+    const mt_params *params = &job->blend->params;
+    mt_outline outline = {0};
+    pthread_mutex_lock(&job->fonts);
+    mt_status status =
+        mt_glyph_shape(job->blend->a, p.a, params->tolerance, &worker->scratch, &pair->a, &pair->advance_a);
+    pthread_mutex_unlock(&job->fonts);
+    if (status == MT_OK) status = mt_shape_outline(&pair->a, params, &worker->scratch, &outline);
+    for (int i = 0; i < job->t_count && status == MT_OK; i++)
+        status = keep_outline(worker, &outline, pair, glyph, i);
+    return status;
+}
+
 static void report_failure(mt_job *job, uint32_t code_point, mt_status why) {
     pthread_mutex_lock(&job->fonts);
     if (job->blend->failed) job->blend->failed(code_point, why, job->blend->failed_user);
@@ -301,10 +339,11 @@ static mt_status draw_whole(mt_worker *worker, mt_glyph_pair *pair, int glyph) {
     mt_pairing p = worker->job->charset->glyphs[glyph];
     const mt_blend *blend = worker->job->blend;
     mt_hints hints = mt_hint_index_find(blend->hints, p.a, p.b);
-    mt_status status = read_sides(worker, p, pair);
-    if (status == MT_OK)
+    bool alone = p.b == MT_NO_PARTNER;
+    mt_status status = alone ? keep_own(worker, p, pair, glyph) : read_sides(worker, p, pair);
+    if (status == MT_OK && !alone)
         status = mt_morph_prepare(&pair->a, &pair->b, &hints, &blend->params, &worker->scratch, &pair->morph);
-    if (status == MT_OK) status = blend_pair(worker, pair, glyph);
+    if (status == MT_OK && !alone) status = blend_pair(worker, pair, glyph);
     if (status == MT_OK || status == MT_NO_MEMORY) return status;
     worker->job->failed[glyph] = true;
     if (glyph != 0) report_failure(worker->job, p.code_point, status); /* nobody asks for .notdef by name */
@@ -378,26 +417,54 @@ static mt_status run(mt_job *job, mt_worker *workers, int count) {
 
 /* ---- fonts --------------------------------------------------------------------------------------------- */
 
-static mt_status write_font(const mt_job *job, int i, mt_arena *arena, uint8_t **bytes, size_t *length) {
+static void add_extra(mt_font_data *data, uint32_t tag, mt_bytes table) {
+    if (table.length) data->extras[data->extra_count++] = (mt_extra_table){tag, table};
+}
+
+/* As GPOS, and as groups and pairs. */
+static mt_status add_positions(const mt_job *job, double t, mt_arena *arena, mt_font_data *data) {
+    mt_bytes gpos;
+    mt_kerning *kerning = mt_arena_new(arena, 1, sizeof *kerning);
+    if (!kerning) return MT_NO_MEMORY;
+    mt_status status = mt_positions_write(job->positions, t, arena, &gpos);
+    if (status == MT_OK) status = mt_positions_kerning(job->positions, t, arena, kerning);
+    if (status != MT_OK) return status;
+    add_extra(data, MT_TAG('G', 'P', 'O', 'S'), gpos);
+    data->kerning = kerning;
+    return MT_OK;
+}
+
+static mt_status hand_over(const mt_job *job, int i, mt_arena *arena) {
     const mt_charset *charset = job->charset;
     mt_font_data data = {.units = job->units,
                          .glyph_count = charset->glyph_count,
                          .glyphs = job->glyphs[i],
                          .char_count = charset->char_count,
-                         .chars = charset->chars};
+                         .chars = charset->chars,
+                         .glyph_names = job->glyph_names};
+    add_extra(&data, MT_TAG('G', 'S', 'U', 'B'), job->layout.gsub);
+    add_extra(&data, MT_TAG('G', 'D', 'E', 'F'), job->layout.gdef);
     mt_status status =
         mt_recipe_fill(job->blend->a, job->blend->b, job->t[i], job->blend->family, arena, &data);
-    return status == MT_OK ? mt_font_write(&data, bytes, length) : status;
+    if (status == MT_OK) status = add_positions(job, job->t[i], arena, &data);
+    return status == MT_OK ? job->ready(&data, i, job->user) : status;
 }
 
-static mt_status write_fonts(const mt_job *job, mt_arena *arena, uint8_t **bytes, size_t *lengths) {
-    for (int i = 0; i < job->t_count; i++) {
-        mt_status status = write_font(job, i, arena, &bytes[i], &lengths[i]);
-        if (status == MT_OK) continue;
-        while (i-- > 0) mt_bytes_free(bytes[i]);
-        return status;
-    }
-    return MT_OK;
+static mt_status hand_over_all(const mt_job *job, mt_arena *arena) {
+    mt_status status = MT_OK;
+    for (int i = 0; i < job->t_count && status == MT_OK; i++) status = hand_over(job, i, arena);
+    return status;
+}
+
+/* The first font's substitutions and the names, for the glyphs that are kept. */
+static mt_status make_layout(mt_job *job, mt_arena *arena) {
+    const mt_charset *charset = job->charset;
+    uint16_t *kept = mt_arena_new(arena, (size_t)charset->primary_count, sizeof *kept);
+    if (!kept) return MT_NO_MEMORY;
+    for (int i = 0; i < charset->primary_count; i++) kept[i] = (uint16_t)charset->glyphs[i].a;
+    mt_status status = mt_gsub_subset(job->blend->a, kept, charset->primary_count, arena, &job->layout);
+    if (status != MT_OK) return status;
+    return mt_glyph_names_make(job->blend->a, charset, arena, &job->glyph_names);
 }
 
 /* Sorts the glyphs by depth, and keeps their order otherwise. */
@@ -409,6 +476,7 @@ static void order_glyphs(mt_job *job) {
 }
 
 static mt_status start_job(mt_job *job, mt_arena *arena) {
+    job->blend->unblended = job->charset->unblended_count;
     size_t places = (size_t)job->t_count, glyphs = (size_t)job->charset->glyph_count;
     job->glyphs = mt_arena_new(arena, places, sizeof *job->glyphs);
     job->extents = mt_arena_new(arena, places, sizeof *job->extents);
@@ -423,47 +491,65 @@ static mt_status start_job(mt_job *job, mt_arena *arena) {
     const mt_blend *blend = job->blend;
     mt_status status =
         mt_composites_find(blend->a, blend->b, job->charset, blend->hints, arena, &job->composites);
-    if (status == MT_OK) order_glyphs(job);
-    return status;
+    if (status != MT_OK) return status;
+    order_glyphs(job);
+    return make_layout(job, arena);
 }
 
-static mt_status blend_fonts(mt_job *job, mt_arena *arena, uint8_t **bytes, size_t *lengths) {
+static mt_status make_fonts(mt_job *job, mt_arena *arena) {
     mt_charset charset;
     mt_blend *blend = job->blend;
-    mt_status status =
-        mt_charset_make(blend->a, blend->b, blend->wanted, blend->wanted_count, arena, &charset);
+    mt_charset_request request = {blend->wanted, blend->wanted_count, blend->set};
+    mt_status status = mt_charset_make(blend->a, blend->b, &request, arena, &charset);
     job->charset = &charset;
     if (status == MT_OK) status = start_job(job, arena);
+    if (status == MT_OK)
+        status = mt_positions_prepare(blend->a, blend->b, &charset, job->units, arena, &job->positions);
     if (status != MT_OK) return status;
     int count = worker_count(job);
     mt_worker *workers = mt_arena_new(arena, (size_t)count, sizeof *workers);
     if (!workers) return MT_NO_MEMORY;
     status = run(job, workers, count);
-    if (status == MT_OK) status = write_fonts(job, arena, bytes, lengths);
+    if (status == MT_OK) status = hand_over_all(job, arena);
     for (int i = 0; i < count; i++) mt_arena_release(&workers[i].kept);
     return status;
 }
 
-mt_status mt_blend_fonts(mt_blend *blend, const double *t, int count, uint8_t **bytes, size_t *lengths) {
+mt_status mt_blend_make(mt_blend *blend, const double *t, int count, mt_font_ready ready, void *user) {
     for (int i = 0; i < count; i++)
         if (!is_place(t[i])) return MT_BAD_PARAMETER;
     mt_arena arena = {0};
-    mt_job job = {.blend = blend, .t = t, .t_count = count, .units = mt_blend_units_per_em(blend)};
-    mt_status status = blend_fonts(&job, &arena, bytes, lengths);
+    mt_job job = {.blend = blend,
+                  .t = t,
+                  .t_count = count,
+                  .units = mt_blend_units_per_em(blend),
+                  .ready = ready,
+                  .user = user};
+    mt_status status = make_fonts(&job, &arena);
     mt_arena_release(&arena);
+    return status;
+}
+
+typedef struct mt_font_bytes {
+    uint8_t **bytes;
+    size_t *lengths;
+    int count;
+} mt_font_bytes;
+
+static mt_status keep_bytes(const mt_font_data *data, int index, void *user) {
+    mt_font_bytes *fonts = user;
+    mt_status status = mt_font_write(data, &fonts->bytes[index], &fonts->lengths[index]);
+    if (status == MT_OK) fonts->count++;
+    return status;
+}
+
+mt_status mt_blend_fonts(mt_blend *blend, const double *t, int count, uint8_t **bytes, size_t *lengths) {
+    mt_font_bytes fonts = {bytes, lengths, 0};
+    mt_status status = mt_blend_make(blend, t, count, keep_bytes, &fonts);
+    while (status != MT_OK && fonts.count > 0) mt_bytes_free(bytes[--fonts.count]);
     return status;
 }
 
 mt_status mt_blend_font(mt_blend *blend, double t, uint8_t **bytes, size_t *length) {
     return mt_blend_fonts(blend, &t, 1, bytes, length);
-}
-
-mt_status mt_blend_save(mt_blend *blend, double t, const char *path) {
-    uint8_t *bytes;
-    size_t length;
-    mt_status status = mt_blend_font(blend, t, &bytes, &length);
-    if (status != MT_OK) return status;
-    status = mt_file_write(path, bytes, length);
-    mt_bytes_free(bytes);
-    return status;
 }

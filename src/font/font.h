@@ -55,6 +55,9 @@ bool mt_font_has_table(const mt_font *font, uint32_t tag);
  * Returns how many; 0 for a font that does not vary. They belong to the font. */
 int mt_font_place(const mt_font *font, const int32_t **normalized);
 
+/* How many glyphs it has: at most MT_GLYPHS_MAX are counted. */
+int mt_font_glyph_count(const mt_font *font);
+
 /* The glyph of a code point; 0 when there is none. */
 uint32_t mt_font_glyph(const mt_font *font, uint32_t code_point);
 

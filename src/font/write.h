@@ -50,6 +50,8 @@ typedef struct mt_font_data {
     mt_metrics metrics;
     int64_t created, modified; /* seconds since 1904 */
     uint16_t embedding;        /* OS/2 fsType */
+    const char **glyph_names; /* one a glyph, 1 … MT_GLYPH_NAME_MAX printable ASCII characters; NULL: none */
+    const struct mt_kerning *kerning; /* for a UFO, which has no GPOS; NULL: none */
     int extra_count;
     mt_extra_table extras[MT_EXTRA_TABLES_MAX]; /* none of a tag that is written here, none empty */
     /* UTF-8; NULL ones are left out. The first three are required. */

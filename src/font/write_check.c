@@ -48,6 +48,18 @@ static mt_status check_chars(const mt_font_data *data) {
     return MT_OK;
 }
 
+/* As PostScript takes them. */
+static mt_status check_glyph_names(const mt_font_data *data) {
+    for (int i = 0; data->glyph_names && i < data->glyph_count; i++) {
+        const char *name = data->glyph_names[i];
+        size_t length = name ? strlen(name) : 0;
+        if (length < 1 || length > MT_GLYPH_NAME_MAX) return MT_BAD_PARAMETER;
+        for (size_t k = 0; k < length; k++)
+            if (name[k] <= ' ' || name[k] > '~') return MT_BAD_PARAMETER;
+    }
+    return MT_OK;
+}
+
 static bool is_utf8(const char *text) {
     uint32_t c = 1;
     while (c)
@@ -76,6 +88,7 @@ mt_status mt_font_data_check(const mt_font_data *data) {
     if (data->units < 16 || data->units > 16384) return MT_BAD_PARAMETER;
     mt_status status = check_glyphs(data);
     if (status == MT_OK) status = check_chars(data);
+    if (status == MT_OK) status = check_glyph_names(data);
     if (status == MT_OK) status = check_names(data);
     return status;
 }

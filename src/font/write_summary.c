@@ -54,6 +54,11 @@ static bool is_italic(const mt_font_data *data) {
     return data->metrics.italic_angle < 0 || data->metrics.italic_angle > 0;
 }
 
+void mt_summarise_style(const mt_font_data *data, mt_summary *summary) {
+    summary->bold = is_bold(data);
+    summary->italic = is_italic(data);
+}
+
 void mt_summarise(const mt_font_data *data, mt_summary *summary) {
     bool first = true;
     for (int i = 0; i < data->glyph_count; i++) {
@@ -67,8 +72,7 @@ void mt_summarise(const mt_font_data *data, mt_summary *summary) {
         add_counts(summary, glyph, extent);
         first = false;
     }
-    summary->bold = is_bold(data);
-    summary->italic = is_italic(data);
+    mt_summarise_style(data, summary);
 }
 
 const char *mt_linked_style(const mt_summary *summary) {

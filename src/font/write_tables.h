@@ -22,6 +22,7 @@ typedef struct mt_summary {
 mt_status mt_font_data_check(const mt_font_data *data);
 
 /* write_summary.c */
+void mt_summarise_style(const mt_font_data *data, mt_summary *summary); /* bold and italic */
 void mt_summarise(const mt_font_data *data, mt_summary *summary); /* from the extents; all but the offsets */
 /* The one of Regular, Bold, Italic and Bold Italic that the font is linked as. */
 const char *mt_linked_style(const mt_summary *summary);
@@ -47,6 +48,13 @@ void mt_write_vmtx(const mt_font_data *data, const mt_summary *summary, mt_table
 
 /* write_vmtx.c: the top side bearing. */
 int mt_top_bearing(const mt_glyf *glyph, const mt_extent *extent);
+
+/* write_head.c: the first decimal number of the version text, such as 1.25 of "Version 1.25; …"; 1 without one. */
+double mt_font_revision(const char *version);
+
+/* write_name.c: FAMILY-STYLE, the family cut short where both do not fit. */
+enum { MT_POSTSCRIPT_NAME_ROOM = 64 };
+void mt_postscript_name(const mt_font_data *data, char name[MT_POSTSCRIPT_NAME_ROOM]);
 
 /* write_glyf.c: whether loca needs 32-bit offsets; known when glyf is written. */
 bool mt_loca_is_long(const mt_font_data *data, const mt_summary *summary);

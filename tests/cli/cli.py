@@ -137,6 +137,12 @@ class Image:
         return sum(255 * (len(part) // 3) - sum(part[::3])
                    for part in (row[3 * left:3 * (self.width if right is None else right)] for row in self.rows)) / 255
 
+    def box(self, top=0, bottom=None):
+        """The box around what is darker than half between two rows: left, right, top and bottom, in pixels."""
+        dark = [(x, y) for y, row in enumerate(self.rows[top:bottom], top) for x in range(self.width) if row[3 * x] < 128]
+        columns, lines = zip(*dark)
+        return min(columns), max(columns) + 1, min(lines), max(lines) + 1
+
 
 def main():
     unittest.main(verbosity=2)
