@@ -31,6 +31,8 @@ static mt_status hand_over(const mt_job *job, int i, mt_arena *arena) {
                          .glyphs = job->glyphs[i],
                          .char_count = charset->char_count,
                          .chars = charset->chars,
+                         .variant_count = charset->variant_count,
+                         .variants = charset->variants,
                          .glyph_names = job->glyph_names};
     add_extra(&data, MT_TAG('G', 'S', 'U', 'B'), job->layout.gsub);
     add_extra(&data, MT_TAG('G', 'D', 'E', 'F'), job->layout.gdef);

@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "font/variants.h"
 #include "geometry/limits.h"
 
 /* ---- characters ---------------------------------------------------------------------------------------- */
@@ -65,6 +66,36 @@ static mt_status list_all(const mt_font *a, const mt_font *b, mt_glyph_set set, 
     return MT_OK;
 }
 
+/* The sequences of characters that are taken in: those of both fonts, or all of A's. */
+typedef struct mt_sequence {
+    const mt_variant *a, *b; /* b is NULL where B has none */
+} mt_sequence;
+
+typedef struct mt_sequences {
+    int count;
+    mt_sequence *list;
+} mt_sequences;
+
+static mt_status list_sequences(mt_font *a, mt_font *b, const mt_codes *codes, mt_glyph_set set,
+                                mt_arena *arena, mt_sequences *sequences) {
+    mt_variants in_a, in_b;
+    mt_status status = mt_font_variants(a, arena, &in_a);
+    if (status == MT_OK) status = mt_font_variants(b, arena, &in_b);
+    if (status != MT_OK) return status;
+    mt_sequence *list = mt_arena_new(arena, (size_t)in_a.count + 1, sizeof *list);
+    if (!list) return MT_NO_MEMORY;
+    *sequences = (mt_sequences){0, list};
+    for (int i = 0; i < in_a.count; i++) {
+        const mt_variant *variant = &in_a.list[i];
+        mt_code key = {variant->code_point, 0, 0};
+        const mt_variant *other = mt_variants_find(&in_b, variant->selector, variant->code_point);
+        if (!other && set != MT_GLYPHS_FIRST) continue;
+        if (bsearch(&key, codes->list, (size_t)codes->count, sizeof key, ascending))
+            list[sequences->count++] = (mt_sequence){variant, other};
+    }
+    return MT_OK;
+}
+
 /* ---- pairs --------------------------------------------------------------------------------------------- */
 
 static void pair_codes(const mt_codes *codes, mt_match *match) {
@@ -73,9 +104,16 @@ static void pair_codes(const mt_codes *codes, mt_match *match) {
             mt_match_pair(match, codes->list[i].a, codes->list[i].b, codes->list[i].code_point);
 }
 
+static void pair_sequences(const mt_sequences *sequences, mt_match *match) {
+    for (int i = 0; i < sequences->count; i++) {
+        const mt_sequence *s = &sequences->list[i];
+        if (s->b) mt_match_pair(match, s->a->glyph, s->b->glyph, s->a->code_point);
+    }
+}
+
 /* What is wanted is paired first; the rest follows, since forms of what is wanted may come from it. */
-static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_codes *wanted, const mt_gsub *gsub_a,
-                             mt_arena *arena, mt_match *match) {
+static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_codes *wanted, const mt_sequences *sequences,
+                             const mt_gsub *gsub_a, mt_arena *arena, mt_match *match) {
     mt_codes all = {0};
     mt_gsub gsub_b;
     mt_status status = mt_match_new(a, b, arena, match);
@@ -83,6 +121,7 @@ static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_codes *wanted, con
     if (status == MT_OK) {
         pair_codes(wanted, match);
         pair_codes(&all, match);
+        pair_sequences(sequences, match);
         status = mt_match_names(match, a, b, arena);
     }
     if (status == MT_OK) status = mt_gsub_open(b, arena, &gsub_b);
@@ -90,11 +129,13 @@ static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_codes *wanted, con
 }
 
 /* Marks the glyphs of A's that are kept. */
-static mt_status keep_glyphs(const mt_codes *codes, const mt_charset_request *request, const mt_gsub *gsub,
-                             const mt_match *match, mt_arena *arena, bool *kept) {
+static mt_status keep_glyphs(const mt_codes *codes, const mt_sequences *sequences,
+                             const mt_charset_request *request, const mt_gsub *gsub, const mt_match *match,
+                             mt_arena *arena, bool *kept) {
     bool first = request->set == MT_GLYPHS_FIRST;
     kept[0] = true;
     for (int i = 0; i < codes->count; i++) kept[codes->list[i].a] = true;
+    for (int i = 0; i < sequences->count; i++) kept[sequences->list[i].a->glyph] = true;
     if (request->count) return mt_match_reach(match, gsub, first, arena, kept);
     for (int i = 0; i < match->count_a; i++) kept[i] = first || match->partner[i] != MT_NO_PARTNER;
     return MT_OK;
@@ -196,16 +237,30 @@ static mt_status map_chars(const mt_match *match, const mt_codes *codes, const u
     return status;
 }
 
+static mt_status list_variants(const mt_sequences *sequences, const uint16_t *numbers, mt_arena *arena,
+                               mt_charset *charset) {
+    charset->variants = mt_arena_new(arena, (size_t)sequences->count + 1, sizeof *charset->variants);
+    if (!charset->variants) return MT_NO_MEMORY;
+    for (int i = 0; i < sequences->count; i++) {
+        const mt_variant *a = sequences->list[i].a;
+        charset->variants[i] =
+            (mt_char_variant){a->selector, a->code_point, numbers[a->glyph], a->by_default};
+    }
+    charset->variant_count = sequences->count;
+    return MT_OK;
+}
+
 /* ---- the whole ----------------------------------------------------------------------------------------- */
 
-static mt_status list_glyphs(const mt_match *match, const mt_codes *codes, const bool *kept, mt_arena *arena,
-                             mt_charset *charset) {
+static mt_status list_glyphs(const mt_match *match, const mt_codes *codes, const mt_sequences *sequences,
+                             const bool *kept, mt_arena *arena, mt_charset *charset) {
     mt_charset made = {0};
     uint16_t *numbers = mt_arena_new(arena, (size_t)match->count_a, sizeof *numbers);
     made.glyphs = mt_arena_new(arena, (size_t)match->count_a + (size_t)codes->count, sizeof *made.glyphs);
     if (!numbers || !made.glyphs) return MT_NO_MEMORY;
     list_primaries(match, codes, kept, numbers, &made);
     mt_status status = map_chars(match, codes, numbers, arena, &made);
+    if (status == MT_OK) status = list_variants(sequences, numbers, arena, &made);
     if (status == MT_OK) *charset = made;
     return status;
 }
@@ -213,16 +268,18 @@ static mt_status list_glyphs(const mt_match *match, const mt_codes *codes, const
 mt_status mt_charset_make(mt_font *a, mt_font *b, const mt_charset_request *request, mt_arena *arena,
                           mt_charset *charset) {
     mt_codes codes = {0};
+    mt_sequences sequences;
     mt_gsub gsub;
     mt_match match;
     mt_status status = request->count ? list_wanted(a, b, request, arena, &codes)
                                       : list_all(a, b, request->set, arena, &codes);
     if (status != MT_OK) return status;
     if (codes.count == 0) return MT_NOTHING_SHARED;
-    status = mt_gsub_open(a, arena, &gsub);
-    if (status == MT_OK) status = pair_glyphs(a, b, &codes, &gsub, arena, &match);
+    status = list_sequences(a, b, &codes, request->set, arena, &sequences);
+    if (status == MT_OK) status = mt_gsub_open(a, arena, &gsub);
+    if (status == MT_OK) status = pair_glyphs(a, b, &codes, &sequences, &gsub, arena, &match);
     bool *kept = status == MT_OK ? mt_arena_new(arena, (size_t)match.count_a + 1, sizeof *kept) : NULL;
     if (status == MT_OK && !kept) status = MT_NO_MEMORY;
-    if (status == MT_OK) status = keep_glyphs(&codes, request, &gsub, &match, arena, kept);
-    return status == MT_OK ? list_glyphs(&match, &codes, kept, arena, charset) : status;
+    if (status == MT_OK) status = keep_glyphs(&codes, &sequences, request, &gsub, &match, arena, kept);
+    return status == MT_OK ? list_glyphs(&match, &codes, &sequences, kept, arena, charset) : status;
 }

@@ -21,6 +21,8 @@ typedef struct mt_charset {
     int unblended_count; /* of the glyphs without a partner */
     int char_count;
     mt_char *chars; /* ascending */
+    int variant_count;
+    mt_char_variant *variants; /* variation sequences of these characters; by selector, then by character */
 } mt_charset;
 
 typedef struct mt_charset_request {
@@ -29,7 +31,7 @@ typedef struct mt_charset_request {
     mt_glyph_set set;
 } mt_charset_request;
 
-/* Pairs the glyphs of both fonts by characters, by names and by the features that lead to them (font/match.h), and keeps
+/* Pairs the glyphs of both fonts by characters, by variation sequences, by names and by the features that lead to them (font/match.h), and keeps
  * the pairs, or all of A's glyphs. Of limited characters it keeps their glyphs and those that A's substitutions make of
  * them. Where a font cannot hold all further pairs, their characters lead to A's one. MT_NOTHING_SHARED, MT_NO_MEMORY. */
 mt_status mt_charset_make(mt_font *a, mt_font *b, const mt_charset_request *request, mt_arena *arena,

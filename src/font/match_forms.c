@@ -131,6 +131,7 @@ static bool pair_substitution(mt_forms *forms, const mt_group *group, int type, 
     forms->left--;
     if (a->inputs > INPUTS_MAX || !has_free(forms->match, a) || !translate(forms->match, a, inputs))
         return false;
+    forms->left -= forms->b->layout.lookup_count;
     for (int pass = 0; pass < 2; pass++)
         for (int i = 0; i < forms->b->layout.lookup_count && forms->left >= 0; i++)
             if (group->b[i]) paired |= pair_in_lookup(forms, type, a, inputs, i, pass == 0);
@@ -139,9 +140,10 @@ static bool pair_substitution(mt_forms *forms, const mt_group *group, int type, 
 
 static bool pair_group(mt_forms *forms, const mt_group *group) {
     bool paired = false;
+    forms->left -= forms->a->layout.lookup_count;
     for (int i = 0; i < forms->a->layout.lookup_count; i++) {
         const mt_gsub_lookup *lookup = &forms->a->lookups[i];
-        for (int k = 0; group->a[i] && k < lookup->subtable_count; k++)
+        for (int k = 0; group->a[i] && k < lookup->subtable_count && forms->left >= 0; k++, forms->left--)
             for (int s = 0; s < lookup->subtables[k].count && forms->left >= 0; s++)
                 paired |= pair_substitution(forms, group, lookup->type, &lookup->subtables[k].list[s]);
     }

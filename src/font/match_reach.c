@@ -24,7 +24,7 @@ static bool follow(const mt_reach *reach, const mt_substitution *substitution) {
 
 static bool follow_lookup(const mt_reach *reach, const mt_gsub_lookup *lookup, int64_t *left) {
     bool found = false;
-    for (int i = 0; i < lookup->subtable_count; i++)
+    for (int i = 0; i < lookup->subtable_count && *left >= 0; i++, --*left)
         for (int k = 0; k < lookup->subtables[i].count && *left >= 0; k++, --*left)
             found |= follow(reach, &lookup->subtables[i].list[k]);
     return found;
@@ -38,6 +38,7 @@ mt_status mt_match_reach(const mt_match *match, const mt_gsub *gsub, bool all, m
     for (int i = 0; i < gsub->layout.feature_count; i++) mt_gsub_mark(gsub, i, applied);
     for (bool more = true; more && left >= 0;) {
         more = false;
+        left -= gsub->layout.lookup_count;
         for (int i = 0; i < gsub->layout.lookup_count; i++)
             if (applied[i]) more |= follow_lookup(&reach, &gsub->lookups[i], &left);
     }

@@ -33,6 +33,13 @@ typedef struct mt_char {
     uint16_t glyph;
 } mt_char;
 
+/* A character with a variation selector after it. */
+typedef struct mt_char_variant {
+    uint32_t selector, code_point;
+    uint16_t glyph;
+    bool by_default; /* the character's own glyph */
+} mt_char_variant;
+
 /* A table that was made elsewhere and goes into the font as it is. */
 typedef struct mt_extra_table {
     uint32_t tag;
@@ -47,6 +54,8 @@ typedef struct mt_font_data {
     mt_glyf *glyphs;
     int char_count;
     mt_char *chars; /* ascending */
+    int variant_count;
+    mt_char_variant *variants; /* by selector, then by character, each once */
     mt_metrics metrics;
     int64_t created, modified; /* seconds since 1904 */
     uint16_t embedding;        /* OS/2 fsType */

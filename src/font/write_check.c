@@ -48,6 +48,21 @@ static mt_status check_chars(const mt_font_data *data) {
     return MT_OK;
 }
 
+static bool in_order(const mt_char_variant *before, const mt_char_variant *after) {
+    if (before->selector != after->selector) return before->selector < after->selector;
+    return before->code_point < after->code_point;
+}
+
+static mt_status check_variants(const mt_font_data *data) {
+    for (int i = 0; i < data->variant_count; i++) {
+        const mt_char_variant *variant = &data->variants[i];
+        if (i > 0 && !in_order(variant - 1, variant)) return MT_BAD_PARAMETER;
+        if (variant->code_point > 0x10FFFF || variant->selector > 0x10FFFF) return MT_BAD_PARAMETER;
+        if (variant->glyph >= data->glyph_count) return MT_BAD_PARAMETER;
+    }
+    return MT_OK;
+}
+
 /* As PostScript takes them. */
 static mt_status check_glyph_names(const mt_font_data *data) {
     for (int i = 0; data->glyph_names && i < data->glyph_count; i++) {
@@ -88,6 +103,7 @@ mt_status mt_font_data_check(const mt_font_data *data) {
     if (data->units < 16 || data->units > 16384) return MT_BAD_PARAMETER;
     mt_status status = check_glyphs(data);
     if (status == MT_OK) status = check_chars(data);
+    if (status == MT_OK) status = check_variants(data);
     if (status == MT_OK) status = check_glyph_names(data);
     if (status == MT_OK) status = check_names(data);
     return status;

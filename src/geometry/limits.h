@@ -44,6 +44,9 @@ static inline double mt_grid_units(double thousandths) {
 #define MT_SUBSTITUTIONS_MAX (1 << 22)
 #define MT_COMPARISONS_MAX (1 << 28)
 
+/* Variation sequences that are read of a font. The largest have some 40 000. */
+#define MT_VARIANTS_MAX (1 << 18)
+
 /* The longest name of a glyph that is written, in bytes (Adobe Glyph List specification, section 2). */
 #define MT_GLYPH_NAME_MAX 63
 

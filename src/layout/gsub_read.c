@@ -100,9 +100,11 @@ mt_status mt_gsub_read(mt_gsub_reader *reader, int type, mt_bytes table, mt_gsub
     if (!known || (format != 1 && (format != 2 || type != MT_GSUB_SINGLE))) return MT_OK;
     mt_filling filling = {.reader = reader, .subtable = subtable};
     mt_covered *covered;
+    mt_bytes coverage = mt_ot_follow(table, 2);
     int count;
+    reader->left -= mt_ot_u16(coverage, 2);
     if (reader->left < 0) return MT_OK;
-    mt_status status = mt_coverage_list(mt_ot_follow(table, 2), reader->arena, &covered, &count);
+    mt_status status = mt_coverage_list(coverage, reader->arena, &covered, &count);
     if (status == MT_OK) reader->left -= count;
     for (int i = 0; i < count && status == MT_OK && reader->left >= 0; i++)
         status = readers[type](&filling, covered[i]);

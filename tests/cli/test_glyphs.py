@@ -108,5 +108,29 @@ class First(cli.Test):
         self.refused(2, 'strip', ROMAN, cli.SERIF, '--glyphs', 'first', '--text', 'A', '-o', 'x.png', says=['--glyphs'])
 
 
+class Sequences(cli.Test):
+    """Variation sequences: cmap's format 14."""
+
+    SANS, SERIF = (cli.DEBIAN / f'opentype/noto/Noto{name}.ttc' for name in ('SansCJK-Bold', 'SerifCJK-Regular'))
+
+    def test_of_both_fonts(self):
+        said = self.made('blend', self.SANS, self.SERIF, '--text', '、辻葛飾一A', '-o', 'x.ttf')
+        self.assertEqual(said, [])
+        font, original = ttLib.TTFont(self.path('x.ttf')), ttLib.TTFont(self.SANS, fontNumber=0, lazy=True)
+        new, old = (next(table for table in source['cmap'].tables if table.format == 14).uvsDict for source in (font, original))
+        wanted = {(selector, code): glyph is None for selector, pairs in old.items() for code, glyph in pairs
+                  if chr(code) in '、辻葛飾一A'}
+        self.assertEqual({(selector, code): glyph is None for selector, pairs in new.items() for code, glyph in pairs}, wanted)
+        self.assertEqual(set(wanted.values()), {True, False})
+        subprocess.run(['ots-sanitize', self.path('x.ttf')], check=True, stdout=subprocess.DEVNULL)
+
+    def test_of_one_font(self):
+        for glyphs, varied in (('both', False), ('first', True)):
+            self.made('blend', self.SANS, cli.UKAI, '--text', '葛', '--glyphs', glyphs, '-q', '-o', 'x.ttf')
+            tables = ttLib.TTFont(self.path('x.ttf'))['cmap'].tables
+            self.assertEqual(any(table.format == 14 for table in tables), varied)
+            subprocess.run(['ots-sanitize', self.path('x.ttf')], check=True, stdout=subprocess.DEVNULL)
+
+
 if __name__ == '__main__':
     cli.main()

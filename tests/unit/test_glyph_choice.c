@@ -220,6 +220,7 @@ static void vertical(void **state) {
         {.text = "「你好，世界。」（ー）", .vertical = true, .language = "zh-cn", .changed = 5},
         {.text = "「你好，世界。」", .language = "zh-cn"},
         {.text = "骨直角", .language = "ja", .changed = 2},
+        {.text = "、\uFE01。\uFE00礼\uFE00！\uFE01", .changed = 3},
     };
     mt_font *a = mt_test_font(NOTO "NotoSansCJK-Bold.ttc"),
             *b = mt_test_font(NOTO "NotoSerifCJK-Regular.ttc");

@@ -3,7 +3,12 @@
 #include "font/glyph_names.h"
 
 #include <string.h>
+#include <time.h>
 
+#include "font/table.h"
+#include "layout/gsub_subset.h"
+#include "layout/made.h"
+#include "support/allocation.h"
 #include "support/check.h"
 #include "support/gsub.h"
 #include "support/sample.h"
@@ -219,6 +224,97 @@ static void names_are_safe_and_single(void **state) {
     mt_font_close(fonts.b);
 }
 
+/* ---- limits -------------------------------------------------------------------------------------------- */
+
+static const mt_test_lookup every_type[] = {{"calt", NULL, 6, "1 2 3 5"},   {"ccmp", NULL, 2, "3 15 16"},
+                                            {"liga", NULL, 4, "1 2 3 14"},  {"salt", NULL, 3, "11 13 17"},
+                                            {"smcp", NULL, 1, "1 11,2 12"}, {"    ", NULL, 1, "2 18"}};
+enum { TYPES = sizeof every_type / sizeof *every_type };
+
+static mt_status make_all(mt_font *a, mt_font *b, mt_arena *own) {
+    mt_charset charset;
+    mt_charset_request request = {NULL, 0, MT_GLYPHS_BOTH};
+    mt_layout_tables tables;
+    const char **names;
+    mt_status status = mt_charset_make(a, b, &request, own, &charset);
+    if (status != MT_OK) return status;
+    uint16_t *kept = mt_arena_new(own, (size_t)charset.primary_count, sizeof *kept);
+    if (!kept) return MT_NO_MEMORY;
+    for (int i = 0; i < charset.primary_count; i++) kept[i] = (uint16_t)charset.glyphs[i].a;
+    status = mt_gsub_subset(a, kept, charset.primary_count, own, &tables);
+    return status == MT_OK ? mt_glyph_names_make(a, &charset, own, &names) : status;
+}
+
+/* Every request for memory failed in turn, in an arena whose first block is full to some point. */
+static void without_memory(void **state) {
+    (void)state;
+    const char *path = mt_sample_path(&arena, directory, "every.ttf");
+    mt_bytes gsub = mt_test_gsub(every_type, TYPES, false, &arena);
+    mt_font_close(mt_test_gsub_font(path, GLYPHS, "abcdef", name_all(20, "x", 30, "y"), gsub, &arena));
+    int failures = 0;
+    for (size_t filled = 0; filled < 1 << 16; filled += filled ? 1040 : 16) {
+        bool failed = true;
+        for (long first = 0; failed; first++) {
+            mt_arena own = {0};
+            mt_font *a, *b;
+            mt_allocation_watch();
+            mt_assert_ok(mt_font_open(path, &a));
+            mt_assert_ok(mt_font_open(path, &b));
+            assert_true(!filled || mt_arena_new(&own, filled, 1));
+            long before = mt_allocation_requests();
+            mt_allocation_fail(first, true);
+            mt_status status = make_all(a, b, &own);
+            failed = mt_allocation_requests() - before > first;
+            mt_allocation_succeed();
+            assert_int_equal(status, failed ? MT_NO_MEMORY : MT_OK);
+            mt_arena_release(&own);
+            mt_font_close(a);
+            mt_font_close(b);
+            assert_int_equal(mt_allocation_live(), 0);
+            mt_allocation_unwatch();
+            failures += failed;
+        }
+    }
+    assert_true(failures > 100);
+}
+
+/* Thousands of lookups that are one and the same, of thousands of subtables that are one and the same, which has a
+ * long coverage of one glyph: reading it over and over would take long. */
+static void costs_are_bounded(void **state) {
+    (void)state;
+    enum { LOOKUPS = 4000, SUBTABLES = 10000, RANGES = 7000 };
+    mt_table table = {0};
+    static const uint8_t head[] = {0,    1,    0,   0,   0,   10,  0, 30, 0, 44, /* header */
+                                   0,    1,    'l', 'a', 't', 'n', 0, 8,  0, 4,  0, 0, 0, 0,
+                                   0xFF, 0xFF,         /* scripts */
+                                   0,    1,    0,   0, /* a feature */
+                                   0,    1,    's', 'm', 'c', 'p', 0, 8,  0, 0,  0, 1, 0, 0};
+    mt_bytes gsub;
+    mt_table_bytes(&table, head, sizeof head);
+    mt_table_16(&table, LOOKUPS);
+    for (int i = 0; i < LOOKUPS; i++) mt_table_16(&table, 2 + 2 * LOOKUPS);
+    mt_table_16(&table, 1);
+    mt_table_16(&table, 0);
+    mt_table_16(&table, SUBTABLES);
+    for (int i = 0; i < SUBTABLES; i++) mt_table_16(&table, 6 + 2 * SUBTABLES);
+    mt_table_16(&table, 2);
+    mt_table_16(&table, 8);
+    mt_table_16(&table, 1);
+    mt_table_16(&table, 2);
+    mt_table_16(&table, 2);
+    mt_table_16(&table, RANGES);
+    for (int i = 0; i < RANGES; i++) mt_table_zeros(&table, 6);
+    mt_assert_ok(mt_table_keep(&table, &arena, &gsub));
+    const char *path = mt_sample_path(&arena, directory, "long.ttf");
+    mt_font *a = mt_test_gsub_font(path, GLYPHS, "abcdef", NULL, gsub, &arena), *b;
+    mt_assert_ok(mt_font_open(path, &b));
+    clock_t start = clock();
+    mt_assert_ok(make_all(a, b, &arena));
+    assert_true(clock() - start < 60 * CLOCKS_PER_SEC);
+    mt_font_close(a);
+    mt_font_close(b);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(by_characters_alone),
@@ -230,6 +326,8 @@ int main(void) {
         cmocka_unit_test(wanted_of_the_first),
         cmocka_unit_test(further_pairs),
         cmocka_unit_test(names_are_safe_and_single),
+        cmocka_unit_test(without_memory),
+        cmocka_unit_test(costs_are_bounded),
     };
     return cmocka_run_group_tests_name("match", tests, set_up, tear_down);
 }
