@@ -113,7 +113,8 @@ typedef struct mt_blend mt_blend;
 MT_API mt_status mt_blend_new(mt_font *a, mt_font *b, const mt_params *params, mt_blend **blend);
 MT_API void mt_blend_free(mt_blend *blend); /* NULL is fine */
 
-/* Called once for each glyph that cannot be blended and takes the nearer font's own outline instead. */
+/* Called once for each glyph that cannot be blended and takes the nearer font's own outline instead: with its character, or
+ * the one that it is a form of, or 0 where there is none. */
 typedef void (*mt_glyph_failed)(uint32_t code_point, mt_status why, void *user);
 /* Called from time to time while a font is made: `done` of `all` glyphs. */
 typedef void (*mt_progress)(int done, int all, void *user);
@@ -123,9 +124,26 @@ MT_API void mt_blend_on_progress(mt_blend *blend, mt_progress call, void *user);
 /* Names the fonts that follow: the family NAME in place of a name made from both; NULL goes back to that. */
 MT_API mt_status mt_blend_set_family(mt_blend *blend, const char *name);
 
+/* Called with a line of English, without a full stop; it lasts as long as the call. */
+typedef void (*mt_warning)(const char *line, void *user);
+/* What to know before a font of this blend goes out, a call for each: what a source's embedding bits or licence restrict,
+ * a family name given that has a name in it which a source keeps for itself, tables that are left out. It is no judgement
+ * on rights, and silence is none. MT_NO_MEMORY. */
+MT_API mt_status mt_blend_warnings(const mt_blend *blend, mt_warning call, void *user);
+
 /* Keeps only these characters (code points in any order), for a strip or a subset; count 0 means all shared
  * ones. */
 MT_API mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count);
+
+typedef enum mt_glyph_set {
+    MT_GLYPHS_BOTH,  /* those that both fonts have */
+    MT_GLYPHS_FIRST, /* all of the first font's; what the second has not stays as it is */
+} mt_glyph_set;
+
+/* Which glyphs the fonts that follow have; both fonts' without this. */
+MT_API void mt_blend_set_glyphs(mt_blend *blend, mt_glyph_set set);
+/* How many glyphs of the last fonts made are the first font's own, because the second has none for them. */
+MT_API int mt_blend_unblended(const mt_blend *blend);
 
 /* The font at t (0 … 1) as TrueType bytes; give them back with mt_bytes_free. */
 MT_API mt_status mt_blend_font(mt_blend *blend, double t, uint8_t **bytes, size_t *length);
@@ -133,8 +151,11 @@ MT_API mt_status mt_blend_font(mt_blend *blend, double t, uint8_t **bytes, size_
  * matched once. Fills bytes[count] and lengths[count], or none of them. */
 MT_API mt_status mt_blend_fonts(mt_blend *blend, const double *t, int count, uint8_t **bytes,
                                 size_t *lengths);
-/* The font at t, written to `path` (.ttf) whole or not at all. */
+/* The font at t, written to `path` whole or not at all, in the format of its extension: .ttf, .woff2, or .ufo, which is
+ * a directory and takes the place of another UFO only. MT_UNKNOWN_FORMAT for any other, MT_CANNOT_WRITE. */
 MT_API mt_status mt_blend_save(mt_blend *blend, double t, const char *path);
+/* Fonts at `count` places in one go, paths[i] for t[i]: all of them or none. */
+MT_API mt_status mt_blend_save_fonts(mt_blend *blend, const double *t, int count, const char *const *paths);
 MT_API void mt_bytes_free(uint8_t *bytes);
 
 /* One glyph, drawn through callbacks in font units of mt_blend_units_per_em. Contours are closed; quadratic

@@ -1,6 +1,6 @@
-/* morphotype blend: fonts between two fonts. All of them are made before the first is written. */
+/* morphotype blend: fonts between two fonts. All of them are made before the first is put in its place. */
 #include "commands.h"
-#include "font/file.h"
+#include "font/save.h"
 #include "geometry/memory.h"
 #include "messages.h"
 #include "numbers.h"
@@ -8,16 +8,13 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
-#include <unistd.h>
 
-/* Fonts in memory, as many as there are T. */
-typedef struct products {
+/* Where the fonts go, as many as there are T. */
+typedef struct outputs {
     int count;
     char **paths;
-    uint8_t **bytes;
-    size_t *lengths;
-} products;
+    size_t *lengths; /* bytes, once they are written */
+} outputs;
 
 /* OUT.ttf, or OUT-0.25.ttf where there are several; from mt_new, NULL when out of memory. */
 static char *path_of(const cli_options *options, int index) {
@@ -31,62 +28,80 @@ static char *path_of(const cli_options *options, int index) {
     return path;
 }
 
-static mt_status make(cli_work *work, products *made) {
-    const cli_options *options = work->options;
+static mt_status name_outputs(const cli_options *options, outputs *named) {
     size_t count = (size_t)options->at_count;
-    made->paths = mt_new(count, sizeof *made->paths);
-    made->bytes = mt_new(count, sizeof *made->bytes);
-    made->lengths = mt_new(count, sizeof *made->lengths);
-    if (!made->paths || !made->bytes || !made->lengths) return MT_NO_MEMORY;
-    made->count = options->at_count;
-    for (int i = 0; i < made->count; i++) {
-        made->paths[i] = path_of(options, i);
-        if (!made->paths[i]) return MT_NO_MEMORY;
+    named->paths = mt_new(count, sizeof *named->paths);
+    named->lengths = mt_new(count, sizeof *named->lengths);
+    if (!named->paths || !named->lengths) return MT_NO_MEMORY;
+    named->count = options->at_count;
+    for (int i = 0; i < named->count; i++) {
+        named->paths[i] = path_of(options, i);
+        if (!named->paths[i]) return MT_NO_MEMORY;
     }
-    mt_status status = mt_blend_fonts(work->blend, options->at, made->count, made->bytes, made->lengths);
-    if (status != MT_OK)
-        memset(made->bytes, 0, count * sizeof *made->bytes); /* none of them is ours to free */
-    return status;
+    return MT_OK;
 }
 
-/* All or none: those written go again when one cannot be. */
-static int write_files(const cli_options *options, const products *made) {
-    for (int i = 0; i < made->count; i++) {
-        mt_status status = mt_file_write(made->paths[i], made->bytes[i], made->lengths[i]);
-        if (status == MT_OK) continue;
-        fail_status(made->paths[i], status);
-        while (i-- > 0) unlink(made->paths[i]);
-        return COULD_NOT;
+static void free_outputs(outputs *named) {
+    for (int i = 0; i < named->count; i++) mt_free(named->paths[i]);
+    mt_free(named->paths);
+    mt_free(named->lengths);
+}
+
+static int save(cli_work *work, const outputs *named) {
+    const cli_options *options = work->options;
+    int failed;
+    const mt_saving saving = {.t = options->at,
+                              .count = named->count,
+                              .paths = (const char *const *)named->paths,
+                              .made = work_made,
+                              .user = work,
+                              .lengths = named->lengths};
+    mt_status status = mt_blend_save_when(work->blend, &saving, &failed);
+    if (status != MT_OK && failed >= 0) {
+        progress_erase(&work->bar);
+        return fail_status(named->paths[failed], status);
     }
-    for (int i = 0; options->verbose && i < made->count; i++)
-        say("%s: T = %g, %zu bytes", made->paths[i], options->at[i], made->lengths[i]);
+    if (status != MT_OK) return work_fail(work, status);
+    for (int i = 0; options->verbose && i < named->count; i++)
+        say("%s: T = %g, %zu bytes", named->paths[i], options->at[i], named->lengths[i]);
     return DONE;
 }
 
-static void free_products(products *made) {
-    for (int i = 0; i < made->count; i++) {
-        mt_free(made->paths[i]);
-        mt_bytes_free(made->bytes[i]);
+static int check_outputs(const outputs *named) {
+    int outcome = DONE;
+    for (int i = 0; outcome == DONE && i < named->count; i++) {
+        mt_status status = mt_save_check(named->paths[i]);
+        outcome = status == MT_OK ? directory_check(named->paths[i]) : fail_status(named->paths[i], status);
     }
-    mt_free(made->paths);
-    mt_free(made->bytes);
-    mt_free(made->lengths);
+    return outcome;
 }
 
-static int blend(cli_work *work) {
-    products made = {0};
-    mt_status status = make(work, &made);
-    int outcome = status == MT_OK ? work_failures(work) : work_fail(work, status);
-    if (outcome == DONE) outcome = write_files(work->options, &made);
-    free_products(&made);
+/* An mt_warning. */
+static void warn(const char *line, void *user) {
+    (void)user;
+    say("%s", line);
+}
+
+static int make(cli_work *work, const outputs *named) {
+    mt_status status = work->options->quiet ? MT_OK : mt_blend_warnings(work->blend, warn, NULL);
+    return status == MT_OK ? save(work, named) : work_fail(work, status);
+}
+
+static int blend(cli_options *options, const outputs *named) {
+    cli_work work;
+    int outcome = check_outputs(named);
+    if (outcome != DONE) return outcome;
+    outcome = work_begin(options, &work);
+    if (outcome == DONE) outcome = make(&work, named);
+    work_end(&work);
     return outcome;
 }
 
 static int check(const cli_options *options) {
-    if (!options->output) return misuse(options->command, "-o OUT.ttf is wanted");
-    const char *dot = strrchr(options->output, '.');
-    if (!dot || strcasecmp(dot, ".ttf") != 0)
-        return misuse(options->command, "-o %s: blend writes .ttf files", options->output);
+    mt_font_format format;
+    if (!options->output) return misuse(options->command, "-o OUT.ttf|woff2|ufo is wanted");
+    if (!mt_font_format_of(options->output, &format))
+        return misuse(options->command, "-o %s: blend writes .ttf, .woff2 and .ufo", options->output);
     for (int i = 0; i < options->at_count; i++)
         for (int k = 0; k < i; k++)
             if (options->at[i] == options->at[k])
@@ -95,30 +110,34 @@ static int check(const cli_options *options) {
 }
 
 static int run(cli_options *options) {
-    cli_work work;
+    outputs named = {0};
     int outcome = check(options);
-    if (outcome == DONE) outcome = output_check(options->output);
     if (outcome == DONE) outcome = options_spread(options, 1);
     if (outcome != DONE) return outcome;
-    outcome = work_begin(options, &work);
-    if (outcome == DONE) outcome = blend(&work);
-    work_end(&work);
+    mt_status status = name_outputs(options, &named);
+    outcome = status == MT_OK ? blend(options, &named) : fail_status(options->output, status);
+    free_outputs(&named);
     return outcome;
 }
 
 const cli_command blend_command = {
     .name = "blend",
     .summary = "a font between two fonts",
-    .help = "usage: morphotype blend FONT FONT -o OUT.ttf [--at T[,T...]] [OPTION...]\n"
+    .help = "usage: morphotype blend FONT FONT -o OUT.ttf|woff2|ufo [--at T[,T...]] [OPTION...]\n"
             "\n"
             "Makes the font at T (0.5 without --at) of every character that both fonts have, or of those "
             "that --text\n"
             "or --chars names. Several T make several fonts: OUT-0.25.ttf, OUT-0.5.ttf and so on. --text "
             "wants all of\n"
-            "its characters in both fonts; of --chars those are left out that one font lacks. A glyph that "
-            "cannot be\n"
-            "blended is named on stderr, and the nearer font's own outline stands in for it.\n",
-    .takes = "oatcFS",
+            "its characters in both fonts; of --chars those are left out that one font lacks. With --glyphs "
+            "first the\n"
+            "first font alone counts for all this, and what the second lacks stays as it is in the first. A "
+            "glyph that\n"
+            "cannot be blended is named on stderr, and the nearer font's own outline stands in for it. "
+            "OUT.ufo is "
+            "a\n"
+            "directory; one that is there already is replaced when it is a UFO.\n",
+    .takes = "oatcFGS",
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

@@ -33,6 +33,8 @@ static const option_row rows[] = {
     {'p', false, "rows", "N", "rows on a page; without it, as many as A4's proportions take"},
     {'l', false, "no-labels", NULL, "leave out the T under each step"},
     {'F', false, "family", "NAME", "the new font's family name"},
+    {'G', false, "glyphs", "both|first",
+     "those of both fonts, or all of the first's, unblended where need be"},
     {'J', false, "json", NULL, "data: on stdout, or into FILE when that ends in .json"},
     {'S', false, "strict", NULL, "a glyph that cannot be blended is an error, not a line on stderr"},
     {'M', false, "method", "joint|paper", "align boundaries where it goes, or map pieces throughout"},
@@ -143,6 +145,13 @@ static int read_family(cli_options *options, const char *argument) {
     return GO_ON;
 }
 
+static int read_glyphs(cli_options *options, const char *argument) {
+    bool both = strcmp(argument, "both") == 0;
+    options->glyphs = both ? MT_GLYPHS_BOTH : MT_GLYPHS_FIRST;
+    if (both || strcmp(argument, "first") == 0) return GO_ON;
+    return misuse(options->command, "--glyphs %s: both or first is wanted", argument);
+}
+
 static int read_method(cli_options *options, const char *argument) {
     bool joint = strcmp(argument, "joint") == 0;
     options->params.method = joint ? MT_METHOD_JOINT : MT_METHOD_PAPER;
@@ -177,6 +186,7 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'p': return read_int(options, "rows", argument, 1, 10000, &options->rows);
     case 'l': return options->no_labels = true, GO_ON;
     case 'F': return read_family(options, argument);
+    case 'G': return read_glyphs(options, argument);
     case 'H': return options->hints_file = argument, GO_ON;
     case 'J': return options->json = true, GO_ON;
     case 'S': return options->strict = true, GO_ON;

@@ -1,6 +1,7 @@
 #include "work.h"
 
 #include "characters_file.h"
+#include "font/file.h"
 #include "geometry/memory.h"
 #include "hints_file.h"
 #include "messages.h"
@@ -9,7 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #define NAME_ROOM 8192
@@ -23,7 +23,7 @@ int fail_status(const char *what, mt_status status) {
     return fail("%s: %s", what, mt_status_text(status));
 }
 
-static int check_directory(const char *path) {
+int directory_check(const char *path) {
     const char *slash = strrchr(path, '/');
     char *directory = slash ? mt_copy_text(path) : mt_copy_text(".");
     if (!directory) return fail_status(path, MT_NO_MEMORY);
@@ -34,12 +34,8 @@ static int check_directory(const char *path) {
 }
 
 int output_check(const char *path) {
-    struct stat about;
-    if (stat(path, &about) == 0 && !S_ISREG(about.st_mode)) {
-        errno = S_ISDIR(about.st_mode) ? EISDIR : EEXIST;
-        return fail_status(path, MT_CANNOT_WRITE);
-    }
-    return check_directory(path);
+    mt_status status = mt_file_check(path);
+    return status == MT_OK ? directory_check(path) : fail_status(path, status);
 }
 
 int font_open(const char *spec, mt_font **font) {
@@ -86,16 +82,19 @@ static int choose_text(const cli_options *options, mt_font *const *fonts, int co
     return *line ? fail("%s", line) : DONE;
 }
 
-static void say_left_out(const cli_options *options, characters *set, const char *where) {
+static void say_characters(const cli_options *options, characters *set, const char *where,
+                           const char *what_becomes) {
     char ranges[512];
     if (options->quiet || set->count == 0) return;
     characters_describe(set, RANGES_MOST, ranges, sizeof ranges);
-    say("%d character%s %s, left out: %s", set->count, set->count == 1 ? "" : "s", where, ranges);
+    say("%d character%s %s, %s: %s", set->count, set->count == 1 ? "" : "s", where, what_becomes, ranges);
 }
 
-/* Of a file, those that all fonts have. */
+/* Of a file, those that all fonts have, or the one that is asked. */
 static int choose_file(const cli_options *options, mt_font *const *fonts, int count, characters *chosen) {
     characters wanted = {0}, left_out = {0};
+    char where[NAME_ROOM] = "not in both fonts";
+    if (count == 1) snprintf(where, sizeof where, "not in %s", options->fonts[0]);
     int outcome = characters_add_file(&wanted, options->chars_file);
     mt_status status = MT_OK;
     for (int i = 0; outcome == DONE && status == MT_OK && i < wanted.count; i++) {
@@ -105,8 +104,9 @@ static int choose_file(const cli_options *options, mt_font *const *fonts, int co
     }
     if (status != MT_OK) outcome = fail_status(options->chars_file, status);
     if (outcome == DONE && chosen->count == 0)
-        outcome = fail("%s: none of its %d characters is in both fonts", options->chars_file, wanted.count);
-    if (outcome == DONE) say_left_out(options, &left_out, "not in both fonts");
+        outcome = fail("%s: none of its %d characters is in %s", options->chars_file, wanted.count,
+                       count > 1 ? "both fonts" : options->fonts[0]);
+    if (outcome == DONE) say_characters(options, &left_out, where, "left out");
     characters_free(&wanted);
     characters_free(&left_out);
     return outcome;
@@ -126,13 +126,15 @@ static mt_status subtract(const characters *own, const characters *other, charac
     return status;
 }
 
-static void say_only_in(const cli_options *options, const char *spec, characters *only) {
+/* What stands in one font only is left out, but for the first's with --glyphs first. */
+static void say_only_in(const cli_options *options, int font, characters *only) {
     char where[NAME_ROOM];
-    snprintf(where, sizeof where, "only in %s", spec);
-    say_left_out(options, only, where);
+    bool kept = options->glyphs == MT_GLYPHS_FIRST && font == 0;
+    snprintf(where, sizeof where, "only in %s", options->fonts[font]);
+    say_characters(options, only, where, kept ? "kept as they are" : "left out");
 }
 
-/* A whole font: what stands in one font only is left out of it. MT_NOTHING_SHARED when that is everything. */
+/* A whole font: tells what stands in one font only. MT_NOTHING_SHARED when that is everything. */
 static mt_status summarise(const cli_options *options, mt_font *const *fonts) {
     characters all[2] = {{0}}, only[2] = {{0}};
     mt_status status = MT_OK;
@@ -140,7 +142,7 @@ static mt_status summarise(const cli_options *options, mt_font *const *fonts) {
     for (int i = 0; i < 2 && status == MT_OK; i++) status = subtract(&all[i], &all[1 - i], &only[i]);
     if (status == MT_OK && only[0].count == all[0].count) status = MT_NOTHING_SHARED;
     for (int i = 0; i < 2; i++) {
-        if (status == MT_OK) say_only_in(options, options->fonts[i], &only[i]);
+        if (status == MT_OK) say_only_in(options, i, &only[i]);
         characters_free(&all[i]);
         characters_free(&only[i]);
     }
@@ -168,14 +170,24 @@ static int compare_failures(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
+static void say_unblended(const cli_work *work) {
+    int count = mt_blend_unblended(work->blend);
+    if (count == 0 || work->options->quiet) return;
+    say("%d glyph%s that %s has not stay%s as in %s", count, count == 1 ? "" : "s", work->options->fonts[1],
+        count == 1 ? "s" : "", work->options->fonts[0]);
+}
+
 int work_failures(cli_work *work) {
     const cli_options *options = work->options;
     int count = work->failure_count;
     progress_erase(&work->bar);
+    say_unblended(work);
     if (count > 0) qsort(work->failures, (size_t)count, sizeof *work->failures, compare_failures);
     for (int i = 0; i < count && (options->strict || !options->quiet); i++) {
-        char name[32];
-        character_describe(work->failures[i].code_point, name, sizeof name);
+        char name[32] = "a glyph of no character";
+        uint32_t c = work->failures[i].code_point;
+        if (i > 0 && c == work->failures[i - 1].code_point) continue; /* forms of one character */
+        if (c) character_describe(c, name, sizeof name);
         say("%s: not blended, %s: %s", name,
             options->strict ? "as --strict asks" : "the nearer font's glyph stands in",
             mt_status_text(work->failures[i].why));
@@ -218,6 +230,7 @@ static int make_blend(cli_work *work) {
     const cli_options *options = work->options;
     mt_status status = mt_blend_new(work->fonts[0], work->fonts[1], &options->params, &work->blend);
     if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
+    if (status == MT_OK) mt_blend_set_glyphs(work->blend, options->glyphs);
     if (status == MT_OK && options->family) status = mt_blend_set_family(work->blend, options->family);
     if (status == MT_OK && work->chosen.count > 0)
         status = mt_blend_set_chars(work->blend, work->chosen.list, work->chosen.count);
@@ -233,7 +246,8 @@ int work_begin(const cli_options *options, cli_work *work) {
     int outcome = DONE;
     for (int i = 0; i < 2 && outcome == DONE; i++) outcome = font_open(options->fonts[i], &work->fonts[i]);
     if (outcome == DONE) explain(work);
-    if (outcome == DONE) outcome = characters_choose(options, work->fonts, 2, &work->chosen);
+    int asked = options->glyphs == MT_GLYPHS_FIRST ? 1 : 2;
+    if (outcome == DONE) outcome = characters_choose(options, work->fonts, asked, &work->chosen);
     return outcome == DONE ? make_blend(work) : outcome;
 }
 

@@ -26,6 +26,8 @@ typedef struct cli_work {
 
 /* Whether the file can be written as far as can be told before the work. DONE or, said, COULD_NOT. */
 int output_check(const char *path);
+/* The same of the directory that the file will stand in. */
+int directory_check(const char *path);
 
 /* Says why a status on a file, a font or a pair came about, and gives COULD_NOT. */
 int fail_status(const char *what, mt_status status);

@@ -1,32 +1,9 @@
-/* The blend of two fonts: pairs their glyphs, sends each pair through the morph, and writes the fonts.
- *
- * A glyph is the unit of work. Workers take the next one from a counter; each has an arena for the glyph at
- * hand, emptied after it, and one for the results. A glyph is read and prepared once for all values of T.
- * Results stand in the order of the glyphs, whoever made them, so that the fonts do not depend on the number
- * of workers.
- */
-#include <math.h>
-#include <pthread.h>
-#include <stdatomic.h>
-#include <unistd.h>
+/* The blend of two fonts: what it goes by, and one glyph or whole fonts of it in memory. */
+#include "font/blend_job.h"
 
-#include "font/charset.h"
-#include "font/file.h"
-#include "font/pair.h"
 #include "font/recipe.h"
+#include "font/review.h"
 #include "geometry/limits.h"
-
-struct mt_blend {
-    mt_font *a, *b;
-    mt_params params;
-    mt_hint_index *hints; /* NULL: none */
-    char *family;         /* NULL: made from the sources' */
-    uint32_t *wanted;
-    int wanted_count;
-    mt_glyph_failed failed;
-    mt_progress progress;
-    void *failed_user, *progress_user;
-};
 
 /* ---- the handle ---------------------------------------------------------------------------------------- */
 
@@ -66,6 +43,10 @@ mt_status mt_blend_set_family(mt_blend *blend, const char *name) {
     return MT_OK;
 }
 
+mt_status mt_blend_warnings(const mt_blend *blend, mt_warning call, void *user) {
+    return mt_review(blend->a, blend->b, blend->family, call, user);
+}
+
 mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count) {
     uint32_t *copy = count > 0 ? mt_new((size_t)count, sizeof *copy) : NULL;
     if (count > 0 && !copy) return MT_NO_MEMORY;
@@ -74,6 +55,14 @@ mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int c
     blend->wanted = copy;
     blend->wanted_count = count > 0 ? count : 0;
     return MT_OK;
+}
+
+void mt_blend_set_glyphs(mt_blend *blend, mt_glyph_set set) {
+    blend->set = set;
+}
+
+int mt_blend_unblended(const mt_blend *blend) {
+    return blend->unblended;
 }
 
 mt_status mt_blend_set_hints(mt_blend *blend, const mt_hint_table *table, mt_hint_error *error) {
@@ -95,14 +84,6 @@ int mt_blend_units_per_em(const mt_blend *blend) {
 
 /* ---- one glyph ----------------------------------------------------------------------------------------- */
 
-static bool is_place(double t) {
-    return t >= 0 && t <= 1; /* false for a NaN */
-}
-
-static double mixed_advance(const mt_glyph_pair *pair, double t) {
-    return (1 - t) * pair->advance_a + t * pair->advance_b;
-}
-
 static void draw_contour(const mt_contour *contour, double scale, const mt_draw *draw, void *user) {
     mt_point start = contour->segments[contour->count - 1].end;
     draw->move_to(start.x * scale, start.y * scale, user);
@@ -119,7 +100,7 @@ static void draw_contour(const mt_contour *contour, double scale, const mt_draw 
 
 mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const mt_draw *draw, void *user,
                          double *advance) {
-    if (!is_place(t)) return MT_BAD_PARAMETER;
+    if (!mt_is_place(t)) return MT_BAD_PARAMETER;
     mt_arena arena = {0};
     mt_glyph_pair pair;
     mt_outline outline;
@@ -130,213 +111,34 @@ mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const m
     if (status == MT_OK) {
         double scale = (double)mt_blend_units_per_em(blend) / MT_EM;
         for (int i = 0; i < outline.count; i++) draw_contour(&outline.contours[i], scale, draw, user);
-        *advance = mixed_advance(&pair, t) * scale;
+        *advance = mt_mixed_advance(&pair, t) * scale;
     }
     mt_arena_release(&arena);
     return status;
-}
-
-/* ---- workers ------------------------------------------------------------------------------------------- */
-
-typedef struct mt_job {
-    mt_blend *blend;
-    const mt_charset *charset;
-    const double *t;
-    int t_count, units;
-    mt_glyf **glyphs; /* for each T, one for each glyph of the charset */
-    atomic_int next, done;
-    atomic_int status;     /* the first that stops everything */
-    pthread_mutex_t fonts; /* FreeType's faces are not for two threads at once; neither are the callbacks */
-} mt_job;
-
-typedef struct mt_worker {
-    mt_job *job;
-    mt_arena scratch, kept;
-} mt_worker;
-
-/* Both sides' shapes; a side that cannot be read has none, and its status is returned. */
-static mt_status read_sides(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair) {
-    mt_job *job = worker->job;
-    const mt_params *params = &job->blend->params;
-    *pair = (mt_glyph_pair){0};
-    pthread_mutex_lock(&job->fonts);
-    mt_status in_a =
-        mt_glyph_shape(job->blend->a, p.a, params->tolerance, &worker->scratch, &pair->a, &pair->advance_a);
-    mt_status in_b =
-        mt_glyph_shape(job->blend->b, p.b, params->tolerance, &worker->scratch, &pair->b, &pair->advance_b);
-    pthread_mutex_unlock(&job->fonts);
-    return in_a != MT_OK ? in_a : in_b;
-}
-
-static mt_status keep_outline(mt_worker *worker, const mt_outline *outline, const mt_glyph_pair *pair,
-                              int glyph, int i) {
-    mt_job *job = worker->job;
-    return mt_outline_glyf(outline, mixed_advance(pair, job->t[i]), job->units, &worker->kept,
-                           &job->glyphs[i][glyph]);
-}
-
-static mt_status blend_pair(mt_worker *worker, const mt_glyph_pair *pair, int glyph) {
-    for (int i = 0; i < worker->job->t_count; i++) {
-        mt_outline outline;
-        mt_weights weights = mt_weights_at(worker->job->t[i]);
-        mt_status status =
-            mt_morph_outline(&pair->morph, weights, &worker->job->blend->params, &worker->scratch, &outline);
-        if (status == MT_OK) status = keep_outline(worker, &outline, pair, glyph, i);
-        if (status != MT_OK) return status;
-    }
-    return MT_OK;
-}
-
-/* The nearer font's own outline instead of the blend; nothing, where that cannot be had either. */
-static mt_status fall_back(mt_worker *worker, const mt_glyph_pair *pair, int glyph) {
-    for (int i = 0; i < worker->job->t_count; i++) {
-        const mt_shape *nearer = worker->job->t[i] < 0.5 ? &pair->a : &pair->b;
-        mt_outline outline = {0}, blank = {0};
-        mt_status status = mt_shape_outline(nearer, &worker->job->blend->params, &worker->scratch, &outline);
-        if (status == MT_OK) status = keep_outline(worker, &outline, pair, glyph, i);
-        if (status == MT_TOO_LARGE) status = keep_outline(worker, &blank, &(mt_glyph_pair){0}, glyph, i);
-        if (status != MT_OK) return status;
-    }
-    return MT_OK;
-}
-
-static void report_failure(mt_job *job, uint32_t code_point, mt_status why) {
-    pthread_mutex_lock(&job->fonts);
-    if (job->blend->failed) job->blend->failed(code_point, why, job->blend->failed_user);
-    pthread_mutex_unlock(&job->fonts);
-}
-
-static mt_status do_glyph(mt_worker *worker, int glyph) {
-    mt_pairing p = worker->job->charset->glyphs[glyph];
-    const mt_blend *blend = worker->job->blend;
-    mt_hints hints = mt_hint_index_find(blend->hints, p.a, p.b);
-    mt_glyph_pair pair;
-    mt_status status = read_sides(worker, p, &pair);
-    if (status == MT_OK)
-        status = mt_morph_prepare(&pair.a, &pair.b, &hints, &blend->params, &worker->scratch, &pair.morph);
-    if (status == MT_OK) status = blend_pair(worker, &pair, glyph);
-    if (status == MT_OK || status == MT_NO_MEMORY) return status;
-    if (glyph != 0) report_failure(worker->job, p.code_point, status); /* nobody asks for .notdef by name */
-    return fall_back(worker, &pair, glyph);
-}
-
-static void report_progress(mt_job *job) {
-    int done = atomic_fetch_add(&job->done, 1) + 1, all = job->charset->glyph_count;
-    if (!job->blend->progress || (done % 64 != 0 && done != all)) return;
-    pthread_mutex_lock(&job->fonts);
-    job->blend->progress(done, all, job->blend->progress_user);
-    pthread_mutex_unlock(&job->fonts);
-}
-
-static void *work(void *argument) {
-    mt_worker *worker = argument;
-    mt_job *job = worker->job;
-    for (;;) {
-        int glyph = atomic_fetch_add(&job->next, 1);
-        if (glyph >= job->charset->glyph_count || atomic_load(&job->status) != MT_OK) break;
-        mt_status status = do_glyph(worker, glyph);
-        mt_arena_reset(&worker->scratch);
-        if (status != MT_OK)
-            atomic_store(&job->status, (int)status);
-        else
-            report_progress(job);
-    }
-    return NULL;
-}
-
-static int worker_count(const mt_job *job) {
-    long cores = job->blend->params.threads ? job->blend->params.threads : sysconf(_SC_NPROCESSORS_ONLN);
-    long most = cores < 1 ? 1 : cores > 256 ? 256 : cores;
-    return (int)(most < job->charset->glyph_count ? most : job->charset->glyph_count);
-}
-
-/* Runs the job on workers[0 … count); the first works on this thread. A thread that cannot be had is done
- * without. */
-static mt_status run(mt_job *job, mt_worker *workers, int count) {
-    pthread_t threads[256];
-    bool started[256] = {false};
-    pthread_mutex_init(&job->fonts, NULL);
-    for (int i = 0; i < count; i++) workers[i].job = job;
-    for (int i = 1; i < count; i++) started[i] = pthread_create(&threads[i], NULL, work, &workers[i]) == 0;
-    work(&workers[0]);
-    for (int i = 1; i < count; i++)
-        if (started[i]) pthread_join(threads[i], NULL);
-    for (int i = 0; i < count; i++) mt_arena_release(&workers[i].scratch);
-    pthread_mutex_destroy(&job->fonts);
-    return (mt_status)atomic_load(&job->status);
 }
 
 /* ---- fonts --------------------------------------------------------------------------------------------- */
 
-static mt_status write_font(const mt_job *job, int i, mt_arena *arena, uint8_t **bytes, size_t *length) {
-    const mt_charset *charset = job->charset;
-    mt_font_data data = {.units = job->units,
-                         .glyph_count = charset->glyph_count,
-                         .glyphs = job->glyphs[i],
-                         .char_count = charset->char_count,
-                         .chars = charset->chars};
-    mt_status status =
-        mt_recipe_fill(job->blend->a, job->blend->b, job->t[i], job->blend->family, arena, &data);
-    return status == MT_OK ? mt_font_write(&data, bytes, length) : status;
-}
+typedef struct mt_font_bytes {
+    uint8_t **bytes;
+    size_t *lengths;
+    int count;
+} mt_font_bytes;
 
-static mt_status write_fonts(const mt_job *job, mt_arena *arena, uint8_t **bytes, size_t *lengths) {
-    for (int i = 0; i < job->t_count; i++) {
-        mt_status status = write_font(job, i, arena, &bytes[i], &lengths[i]);
-        if (status == MT_OK) continue;
-        while (i-- > 0) mt_bytes_free(bytes[i]);
-        return status;
-    }
-    return MT_OK;
-}
-
-static mt_status start_job(mt_job *job, mt_arena *arena) {
-    job->glyphs = mt_arena_new(arena, (size_t)job->t_count, sizeof *job->glyphs);
-    if (!job->glyphs) return MT_NO_MEMORY;
-    for (int i = 0; i < job->t_count; i++) {
-        job->glyphs[i] = mt_arena_new(arena, (size_t)job->charset->glyph_count, sizeof(mt_glyf));
-        if (!job->glyphs[i]) return MT_NO_MEMORY;
-    }
-    return MT_OK;
-}
-
-static mt_status blend_fonts(mt_job *job, mt_arena *arena, uint8_t **bytes, size_t *lengths) {
-    mt_charset charset;
-    mt_blend *blend = job->blend;
-    mt_status status =
-        mt_charset_make(blend->a, blend->b, blend->wanted, blend->wanted_count, arena, &charset);
-    job->charset = &charset;
-    if (status == MT_OK) status = start_job(job, arena);
-    if (status != MT_OK) return status;
-    int count = worker_count(job);
-    mt_worker *workers = mt_arena_new(arena, (size_t)count, sizeof *workers);
-    if (!workers) return MT_NO_MEMORY;
-    status = run(job, workers, count);
-    if (status == MT_OK) status = write_fonts(job, arena, bytes, lengths);
-    for (int i = 0; i < count; i++) mt_arena_release(&workers[i].kept);
+static mt_status keep_bytes(const mt_font_data *data, int index, void *user) {
+    mt_font_bytes *fonts = user;
+    mt_status status = mt_font_write(data, &fonts->bytes[index], &fonts->lengths[index]);
+    if (status == MT_OK) fonts->count++;
     return status;
 }
 
 mt_status mt_blend_fonts(mt_blend *blend, const double *t, int count, uint8_t **bytes, size_t *lengths) {
-    for (int i = 0; i < count; i++)
-        if (!is_place(t[i])) return MT_BAD_PARAMETER;
-    mt_arena arena = {0};
-    mt_job job = {.blend = blend, .t = t, .t_count = count, .units = mt_blend_units_per_em(blend)};
-    mt_status status = blend_fonts(&job, &arena, bytes, lengths);
-    mt_arena_release(&arena);
+    mt_font_bytes fonts = {bytes, lengths, 0};
+    mt_status status = mt_blend_make(blend, t, count, keep_bytes, &fonts);
+    while (status != MT_OK && fonts.count > 0) mt_bytes_free(bytes[--fonts.count]);
     return status;
 }
 
 mt_status mt_blend_font(mt_blend *blend, double t, uint8_t **bytes, size_t *length) {
     return mt_blend_fonts(blend, &t, 1, bytes, length);
-}
-
-mt_status mt_blend_save(mt_blend *blend, double t, const char *path) {
-    uint8_t *bytes;
-    size_t length;
-    mt_status status = mt_blend_font(blend, t, &bytes, &length);
-    if (status != MT_OK) return status;
-    status = mt_file_write(path, bytes, length);
-    mt_bytes_free(bytes);
-    return status;
 }

@@ -86,26 +86,27 @@ mt_status mt_file_read(const char *path, size_t limit, uint8_t **bytes, size_t *
  */
 
 /* Something that is no regular file must not be renamed over. */
-static bool may_replace(const char *path) {
+mt_status mt_file_check(const char *path) {
     struct stat about;
-    if (stat(path, &about) != 0) return true;
-    if (S_ISREG(about.st_mode)) return true;
-    errno = S_ISDIR(about.st_mode) ? EISDIR : EINVAL;
-    return false;
+    if (stat(path, &about) != 0 || S_ISREG(about.st_mode)) return MT_OK;
+    errno = S_ISDIR(about.st_mode) ? EISDIR : EEXIST;
+    return MT_CANNOT_WRITE;
 }
 
-/* A new file in the directory of `path`, under a short name that no other has; -1 and errno otherwise. `name`
- * has room for the directory and 64 bytes. */
-static int create_beside(const char *path, char *name) {
+int mt_file_beside(const char *path, int (*make)(const char *name, mode_t mode), mode_t mode, char *name) {
     const char *slash = strrchr(path, '/');
     size_t directory = slash ? (size_t)(slash + 1 - path) : 0;
     memcpy(name, path, directory);
     for (unsigned attempt = 0; attempt < 10000; attempt++) {
-        snprintf(name + directory, 64, ".morphotype-%ld-%u", (long)getpid(), attempt);
-        int file = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); /* the umask takes its part */
-        if (file >= 0 || errno != EEXIST) return file;
+        snprintf(name + directory, MT_BESIDE_ROOM, ".morphotype-%ld-%u", (long)getpid(), attempt);
+        int made = make(name, mode); /* the umask takes its part */
+        if (made >= 0 || errno != EEXIST) return made;
     }
     return -1;
+}
+
+static int create(const char *name, mode_t mode) {
+    return open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
 }
 
 static bool write_all(int file, const char *bytes, size_t length) {
@@ -119,21 +120,23 @@ static bool write_all(int file, const char *bytes, size_t length) {
     return true;
 }
 
+bool mt_file_fill(int file, const void *bytes, size_t length) {
+    bool done = write_all(file, bytes, length);
+    int why = errno;
+    if (close(file) != 0) return false;
+    errno = why;
+    return done;
+}
+
 mt_status mt_file_write(const char *path, const void *bytes, size_t length) {
-    if (!may_replace(path)) return MT_CANNOT_WRITE;
-    char *name = mt_new(strlen(path) + 64, 1);
+    if (mt_file_check(path) != MT_OK) return MT_CANNOT_WRITE;
+    char *name = mt_new(strlen(path) + MT_BESIDE_ROOM, 1);
     if (!name) return MT_NO_MEMORY;
-    int file = create_beside(path, name);
+    int file = mt_file_beside(path, create, 0666, name);
     bool done = false;
     if (file >= 0) {
-        done = write_all(file, bytes, length);
+        done = mt_file_fill(file, bytes, length) && rename(name, path) == 0;
         int why = errno;
-        if (close(file) != 0)
-            done = false;
-        else if (!done)
-            errno = why;
-        done = done && rename(name, path) == 0;
-        why = errno;
         if (!done) unlink(name);
         errno = why;
     }

@@ -18,7 +18,12 @@ typedef struct mt_metrics {
     double italic_angle;              /* degrees, anticlockwise from upright: negative leans right */
     double weight_class, width_class; /* OS/2: 1 … 1000, 1 … 9 */
     double caret_offset;
+    double vhea_ascender, vhea_descender,
+        vhea_line_gap;  /* from the line's middle to the right and to the left */
+    uint8_t panose[10]; /* panose.h */
+    int family_class;   /* OS/2 sFamilyClass */
     bool monospaced, use_typo_metrics;
+    bool vertical; /* there are metrics for vertical lines; otherwise vhea's figures are made up */
 } mt_metrics;
 
 /* What the font says of itself; UTF-8, each NULL when it says nothing; belong to the font. */
@@ -28,6 +33,8 @@ typedef struct mt_names {
 
 int mt_font_units(const mt_font *font);        /* per em */
 const char *mt_font_spec(const mt_font *font); /* as it was opened */
+const char *
+mt_font_choice(const mt_font *font); /* of a face and axes, as the spec has it after the file's name; or "" */
 void mt_font_metrics(const mt_font *font, mt_metrics *metrics);
 void mt_font_names(const mt_font *font, mt_names *names);
 int64_t mt_font_modified(const mt_font *font);   /* head's time: seconds since 1904; 0 when there is none */
@@ -42,9 +49,14 @@ typedef struct mt_bytes {
  * sfnt. Not for two threads at once. MT_NO_MEMORY. */
 mt_status mt_font_table(const mt_font *font, uint32_t tag, mt_arena *arena, mt_bytes *table);
 
+bool mt_font_has_table(const mt_font *font, uint32_t tag);
+
 /* The place on the axes of 'fvar' that the font was opened at: normalized, after 'avar', 16.16 in -1 … 1, one an axis.
  * Returns how many; 0 for a font that does not vary. They belong to the font. */
 int mt_font_place(const mt_font *font, const int32_t **normalized);
+
+/* How many glyphs it has: at most MT_GLYPHS_MAX are counted. */
+int mt_font_glyph_count(const mt_font *font);
 
 /* The glyph of a code point; 0 when there is none. */
 uint32_t mt_font_glyph(const mt_font *font, uint32_t code_point);
@@ -54,5 +66,34 @@ uint32_t mt_font_glyph(const mt_font *font, uint32_t code_point);
  * glyph any more: every later call is MT_NO_MEMORY. Not for two threads at once. */
 mt_status mt_font_outline(mt_font *font, uint32_t glyph, mt_arena *arena, mt_outline *outline,
                           double *advance);
+
+/* The advance alone, grid units; also of a glyph whose outline cannot be read. MT_NO_MEMORY, MT_BAD_GLYPH. Not for two
+ * threads at once. */
+mt_status mt_font_advance(mt_font *font, uint32_t glyph, double *advance);
+
+/* A glyph on a vertical line, grid units: how far down the next one is, and how high over its baseline the glyph hangs. */
+typedef struct mt_vertical {
+    double advance, origin;
+} mt_vertical;
+
+/* From VORG, vmtx and VVAR; where the font has no vertical metrics for it, the typographic lines' height and ascender.
+ * MT_NO_MEMORY, MT_BAD_GLYPH. Not for two threads at once. */
+mt_status mt_font_vertical(mt_font *font, uint32_t glyph, mt_vertical *vertical);
+
+/* A glyph drawn as a part of another one, moved to the right and up by font units. */
+typedef struct mt_reference {
+    uint32_t glyph;
+    int dx, dy;
+} mt_reference;
+
+typedef struct mt_references {
+    int count;
+    mt_reference *list;
+} mt_references;
+
+/* What a TrueType font builds the glyph from, in the arena: glyphs that, moved and drawn together, are its outline point
+ * by point. Empty for a glyph that is not built so: one with contours of its own, one whose references are scaled or
+ * turned, one of another format. MT_NO_MEMORY. Not for two threads at once. */
+mt_status mt_font_references(mt_font *font, uint32_t glyph, mt_arena *arena, mt_references *references);
 
 #endif

@@ -96,3 +96,10 @@ mt_status mt_outline_glyf(const mt_outline *outline, double advance, int units, 
     *glyf = made;
     return MT_OK;
 }
+
+void mt_glyf_hang(mt_vertical vertical, int units, mt_glyf *glyf) {
+    double height = floor(vertical.advance * units / MT_EM + 0.5);
+    double origin = floor(vertical.origin * units / MT_EM + 0.5);
+    glyf->height = (uint16_t)fmin(fmax(height, 0), UINT16_MAX);
+    glyf->origin = (int16_t)fmin(fmax(origin, INT16_MIN), INT16_MAX);
+}

@@ -10,6 +10,7 @@
 #include FT_TRUETYPE_TABLES_H
 #include FT_TYPE1_TABLES_H
 
+#include "panose.h"
 #include "sfnt.h"
 
 enum { NO_OS2 = 0xFFFF, WEIGHT_REGULAR = 400, WEIGHT_BOLD = 700, WIDTH_NORMAL = 5 };
@@ -35,6 +36,17 @@ static void read_hhea(const mt_font *font, mt_metrics *metrics) {
         metrics->hhea_line_gap = fmax(0, (double)face->height - face->ascender + face->descender);
     }
     metrics->caret_offset = hhea ? hhea->caret_Offset : 0;
+}
+
+/* A font without vertical metrics has lines as wide as its em, their middle in the em's. */
+static void read_vhea(const mt_font *font, mt_metrics *metrics) {
+    const TT_VertHeader *vhea = FT_Get_Sfnt_Table(font->face, FT_SFNT_VHEA);
+    double half = font->face->units_per_EM / 2.0;
+    metrics->vertical = FT_IS_SFNT(font->face) && FT_HAS_VERTICAL(font->face);
+    bool told = metrics->vertical && vhea && (vhea->Ascender || vhea->Descender);
+    metrics->vhea_ascender = told ? vhea->Ascender : half;
+    metrics->vhea_descender = told ? vhea->Descender : -half;
+    metrics->vhea_line_gap = told ? vhea->Line_Gap : 0;
 }
 
 /* Without OS/2 the typographic lines are hhea's and the clipping lines those of the font's box. */
@@ -87,6 +99,7 @@ static void read_os2(const TT_OS2 *os2, mt_metrics *metrics) {
         metrics->cap_height = os2->sCapHeight;
     }
     read_scripts(os2, metrics);
+    metrics->family_class = os2->sFamilyClass;
 }
 
 /* ---- heights ----------------------------------------------------------------------------------------------
@@ -181,6 +194,13 @@ static void read_classes(const mt_font *font, const TT_OS2 *os2, mt_metrics *met
     metrics->width_class = width >= 1 && width <= 9 ? width : WIDTH_NORMAL;
 }
 
+/* A weight that the spec has set is not the table's any more. */
+static void read_panose(const mt_font *font, const TT_OS2 *os2, mt_metrics *metrics) {
+    double weight;
+    for (int i = 0; i < 10; i++) metrics->panose[i] = os2->panose[i];
+    if (mt_font_axis(font, MT_TAG('w', 'g', 'h', 't'), &weight)) metrics->panose[MT_PANOSE_WEIGHT] = 0;
+}
+
 /* ---- all of them ------------------------------------------------------------------------------------------
  */
 
@@ -192,6 +212,7 @@ void mt_font_read_metrics(mt_font *font) {
     font->modified = head ? (int64_t)((uint64_t)head->Modified[0] << 32 | (uint32_t)head->Modified[1]) : 0;
     font->embedding = FT_Get_FSType_Flags(font->face);
     read_hhea(font, metrics);
+    read_vhea(font, metrics);
     read_post(font, metrics);
     if (os2)
         read_os2(os2, metrics);
@@ -199,6 +220,7 @@ void mt_font_read_metrics(mt_font *font) {
         guess_lines(font, metrics);
     measure_heights(font, metrics);
     if (!os2) guess_scripts(font, metrics);
+    if (os2) read_panose(font, os2, metrics);
     read_classes(font, os2, metrics);
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "file.h"
+#include "geometry/limits.h"
 #include "sfnt.h"
 
 /* ---- the stages of opening --------------------------------------------------------------------------------
@@ -86,8 +87,17 @@ const char *mt_font_spec(const mt_font *font) {
     return font->text;
 }
 
+const char *mt_font_choice(const mt_font *font) {
+    return font->text + strlen(font->spec.path);
+}
+
 int mt_font_units(const mt_font *font) {
     return font->units;
+}
+
+int mt_font_glyph_count(const mt_font *font) {
+    FT_Long count = font->face ? font->face->num_glyphs : 0;
+    return (int)(count < MT_GLYPHS_MAX ? count : MT_GLYPHS_MAX);
 }
 
 /* ---- characters -------------------------------------------------------------------------------------------
@@ -100,7 +110,8 @@ static bool is_char(uint32_t code_point) {
 }
 
 uint32_t mt_font_glyph(const mt_font *font, uint32_t code_point) {
-    return font->face && is_char(code_point) ? FT_Get_Char_Index(font->face, code_point) : 0;
+    FT_UInt glyph = font->face && is_char(code_point) ? FT_Get_Char_Index(font->face, code_point) : 0;
+    return glyph < MT_GLYPHS_MAX ? glyph : 0;
 }
 
 bool mt_font_next_char(const mt_font *font, uint32_t from, uint32_t *code_point) {

@@ -10,6 +10,7 @@
 typedef struct mt_glyph_pair {
     mt_shape a, b;
     double advance_a, advance_b; /* grid units */
+    mt_vertical vertical_a, vertical_b;
     mt_morph morph;
 } mt_glyph_pair;
 
@@ -32,5 +33,8 @@ mt_status mt_glyph_pair_prepare(mt_font *a, mt_font *b, uint32_t code_point, con
  * MT_TOO_LARGE. */
 mt_status mt_outline_glyf(const mt_outline *outline, double advance, int units, mt_arena *arena,
                           mt_glyf *glyf);
+
+/* Gives the glyph its vertical metrics, from grid units; at the end of the range where they are beyond. */
+void mt_glyf_hang(mt_vertical vertical, int units, mt_glyf *glyf);
 
 #endif

@@ -18,6 +18,12 @@ mt_status mt_font_table(const mt_font *font, uint32_t tag, mt_arena *arena, mt_b
     return MT_OK;
 }
 
+bool mt_font_has_table(const mt_font *font, uint32_t tag) {
+    FT_ULong length = 0;
+    if (!font->face || !FT_IS_SFNT(font->face)) return false;
+    return FT_Load_Sfnt_Table(font->face, tag, 0, NULL, &length) == 0 && length > 0;
+}
+
 int mt_font_place(const mt_font *font, const int32_t **normalized) {
     *normalized = font->place;
     return font->axis_count;

@@ -141,6 +141,19 @@ static mt_status load(mt_font *font, void *user) {
     return font->face->glyph->format == FT_GLYPH_FORMAT_OUTLINE ? MT_OK : MT_BAD_GLYPH;
 }
 
+static mt_status load_advance(mt_font *font, void *user) {
+    mt_load *wanted = user;
+    return FT_Get_Advance(font->face, wanted->glyph, FLAGS, &wanted->advance) == 0 ? MT_OK : MT_BAD_GLYPH;
+}
+
+mt_status mt_font_advance(mt_font *font, uint32_t glyph, double *advance) {
+    mt_load wanted = {.glyph = glyph};
+    if (!font->face) return MT_NO_MEMORY;
+    mt_status status = mt_font_guard(font, load_advance, &wanted);
+    if (status == MT_OK) *advance = (double)wanted.advance * MT_EM / font->units;
+    return status;
+}
+
 mt_status mt_font_outline(mt_font *font, uint32_t glyph, mt_arena *arena, mt_outline *outline,
                           double *advance) {
     mt_load wanted = {.glyph = glyph};

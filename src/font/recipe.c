@@ -1,9 +1,8 @@
 #include "font/recipe.h"
 
-#include <math.h>
-#include <stdio.h>
+#include "font/panose.h"
+
 #include <stdlib.h>
-#include <string.h>
 
 int mt_recipe_units(const mt_font *a, const mt_font *b) {
     int units = mt_font_units(a) > mt_font_units(b) ? mt_font_units(a) : mt_font_units(b);
@@ -23,9 +22,20 @@ static double mixed(mt_scale scale, double a, double b) {
     return scale.a * a + scale.b * b;
 }
 
+/* Where only one font has its typographic lines used, the other's are hhea's, and the blend's are used: lines are then as
+ * far apart as something between the two fonts' own. The ends do as their fonts do. */
+static void settle_lines(mt_metrics *a, mt_metrics *b, double t) {
+    if (a->use_typo_metrics == b->use_typo_metrics || t <= 0 || t >= 1) return;
+    mt_metrics *other = a->use_typo_metrics ? b : a;
+    other->typo_ascender = other->hhea_ascender;
+    other->typo_descender = other->hhea_descender;
+    other->typo_line_gap = other->hhea_line_gap;
+    other->use_typo_metrics = true;
+}
+
 static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale s, double t) {
     mt_scale plain = {1 - t, t}; /* for what is not measured in font units */
-    return (mt_metrics){
+    mt_metrics mix = {
         .hhea_ascender = mixed(s, a->hhea_ascender, b->hhea_ascender),
         .hhea_descender = mixed(s, a->hhea_descender, b->hhea_descender),
         .hhea_line_gap = mixed(s, a->hhea_line_gap, b->hhea_line_gap),
@@ -52,64 +62,16 @@ static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale
         .weight_class = mixed(plain, a->weight_class, b->weight_class),
         .width_class = mixed(plain, a->width_class, b->width_class),
         .caret_offset = mixed(s, a->caret_offset, b->caret_offset),
-        .monospaced = a->monospaced && b->monospaced,
-        .use_typo_metrics = a->use_typo_metrics && b->use_typo_metrics,
+        .vhea_ascender = mixed(s, a->vhea_ascender, b->vhea_ascender),
+        .vhea_descender = mixed(s, a->vhea_descender, b->vhea_descender),
+        .vhea_line_gap = mixed(s, a->vhea_line_gap, b->vhea_line_gap),
+        .family_class = a->family_class == b->family_class ? a->family_class : 0,
+        .monospaced = (a->monospaced || t >= 1) && (b->monospaced || t <= 0),
+        .use_typo_metrics = t < 1 ? a->use_typo_metrics : b->use_typo_metrics,
+        .vertical = a->vertical || b->vertical,
     };
-}
-
-/* ---- names --------------------------------------------------------------------------------------------- */
-
-static const char *or_empty(const char *text) {
-    return text ? text : "";
-}
-
-/* Both texts, or the one when the other is the same or missing; NULL when both are missing. *failed on no
- * memory. */
-static const char *both(const char *a, const char *b, const char *between, mt_arena *arena, bool *failed) {
-    if (!a || !b || strcmp(a, b) == 0) return a ? a : b;
-    size_t room = strlen(a) + strlen(between) + strlen(b) + 1;
-    char *text = mt_arena_new(arena, room, 1);
-    if (text)
-        snprintf(text, room, "%s%s%s", a, between, b);
-    else
-        *failed = true;
-    return text;
-}
-
-/* FNV-1a (Fowler, Noll, Vo), folded to 16 bits: enough to keep the families of different pairs apart in a
- * font menu. */
-static unsigned short_hash(const char *text, unsigned hash) {
-    for (; *text; text++) hash = (hash ^ (unsigned char)*text) * 16777619u;
-    return hash;
-}
-
-enum { NAME_ROOM = 64, RECIPE_ROOM = 1024 };
-
-static mt_status fill_names(const mt_names *a, const mt_names *b, double t, const char *family,
-                            mt_arena *arena, mt_font_data *data) {
-    char *made_family = mt_arena_new(arena, NAME_ROOM, 1), *style = mt_arena_new(arena, NAME_ROOM, 1);
-    char *unique = mt_arena_new(arena, RECIPE_ROOM, 1), *recipe = mt_arena_new(arena, RECIPE_ROOM, 1);
-    if (!made_family || !style || !unique || !recipe) return MT_NO_MEMORY;
-    const char *sources[4] = {or_empty(a->family), or_empty(a->style), or_empty(b->family),
-                              or_empty(b->style)};
-    unsigned hash = 2166136261u;
-    for (int i = 0; i < 4; i++) hash = short_hash(sources[i], hash) * 16777619u;
-    snprintf(made_family, NAME_ROOM, "Morphotype %04X", (hash >> 16 ^ hash) & 0xFFFF);
-    snprintf(style, NAME_ROOM, "At %g", t);
-    snprintf(recipe, RECIPE_ROOM, "Between %s %s (T = 0) and %s %s (T = 1), at T = %g, by Morphotype %s",
-             sources[0], sources[1], sources[2], sources[3], t, MORPHOTYPE_VERSION);
-    data->family = family ? family : made_family;
-    data->style = style;
-    snprintf(unique, RECIPE_ROOM, "Morphotype %s: %s %s, %s %s, %g", MORPHOTYPE_VERSION, sources[0],
-             sources[1], sources[2], sources[3], t);
-    data->unique_id = unique;
-    data->version = "Version 1.000; Morphotype " MORPHOTYPE_VERSION;
-    data->description = recipe;
-    bool failed = false;
-    data->copyright = both(a->copyright, b->copyright, "\n", arena, &failed);
-    data->license = both(a->license, b->license, "\n", arena, &failed);
-    data->license_url = both(a->license_url, b->license_url, " ", arena, &failed);
-    return failed ? MT_NO_MEMORY : MT_OK;
+    mt_panose_mix(a->panose, b->panose, t, mix.panose);
+    return mix;
 }
 
 /* ---- dates and rights ---------------------------------------------------------------------------------- */
@@ -142,11 +104,9 @@ mt_status mt_recipe_fill(const mt_font *a, const mt_font *b, double t, const cha
     mt_font_metrics(a, &in_a);
     mt_font_metrics(b, &in_b);
     mt_scale scale = {(1 - t) * data->units / mt_font_units(a), t * data->units / mt_font_units(b)};
+    settle_lines(&in_a, &in_b, t);
     data->metrics = mix_metrics(&in_a, &in_b, scale, t);
     data->created = data->modified = date_of(a, b);
     data->embedding = stricter(mt_font_embedding(a), mt_font_embedding(b));
-    mt_names names_a, names_b;
-    mt_font_names(a, &names_a);
-    mt_font_names(b, &names_b);
-    return fill_names(&names_a, &names_b, t, family, arena, data);
+    return mt_recipe_names(a, b, t, family, arena, data);
 }

@@ -10,8 +10,12 @@ int mt_recipe_units(const mt_font *a, const mt_font *b);
 
 /* Fills the metrics, names, dates and embedding bits of `data` for the font at t; its units must be set.
  * `family` replaces the family name made from the sources' when it is not NULL. The strings belong to the
- * arena. MT_NO_MEMORY. */
+ * arena, the fonts or the caller. MT_NO_MEMORY. */
 mt_status mt_recipe_fill(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
                          mt_font_data *data);
+
+/* recipe_names.c: the names alone. */
+mt_status mt_recipe_names(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
+                          mt_font_data *data);
 
 #endif

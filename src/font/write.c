@@ -17,6 +17,8 @@ static const struct {
     {HB_TAG('c', 'm', 'a', 'p'), mt_write_cmap}, {HB_TAG('h', 'e', 'a', 'd'), mt_write_head},
     {HB_TAG('m', 'a', 'x', 'p'), mt_write_maxp}, {HB_TAG('O', 'S', '/', '2'), mt_write_os2},
     {HB_TAG('p', 'o', 's', 't'), mt_write_post}, {HB_TAG('n', 'a', 'm', 'e'), mt_write_name},
+    {HB_TAG('g', 'a', 's', 'p'), mt_write_gasp}, {HB_TAG('p', 'r', 'e', 'p'), mt_write_prep},
+    {HB_TAG('v', 'm', 't', 'x'), mt_write_vmtx}, {HB_TAG('v', 'h', 'e', 'a'), mt_write_vhea},
 };
 
 enum { TABLE_COUNT = sizeof writers / sizeof *writers };
@@ -38,7 +40,9 @@ static mt_status write_tables(const mt_font_data *data, mt_summary *summary, mt_
 /* ---- the container ----------------------------------------------------------------------------------------
  */
 
+/* A table that was left empty is none of this font's. */
 static bool add_table(hb_face_t *builder, hb_tag_t tag, mt_bytes table) {
+    if (table.length == 0) return true;
     hb_blob_t *blob = hb_blob_create_or_fail((const char *)table.bytes, (unsigned)table.length,
                                              HB_MEMORY_MODE_READONLY, NULL, NULL);
     bool added = blob && hb_face_builder_add_table(builder, tag, blob);
@@ -77,18 +81,27 @@ static mt_status assemble(const mt_font_data *data, const mt_table *tables, uint
 /* ---- the whole --------------------------------------------------------------------------------------------
  */
 
+static mt_status begin_summary(const mt_font_data *data, mt_summary *summary) {
+    size_t glyphs = (size_t)data->glyph_count;
+    summary->offsets = mt_new(glyphs + 1, sizeof *summary->offsets);
+    summary->extents = mt_new(glyphs, sizeof *summary->extents);
+    if (!summary->offsets || !summary->extents) return MT_NO_MEMORY;
+    mt_status status = mt_extents_fill(data->glyphs, data->glyph_count, summary->extents);
+    if (status == MT_OK) mt_summarise(data, summary);
+    return status;
+}
+
 mt_status mt_font_write(const mt_font_data *data, uint8_t **bytes, size_t *length) {
     mt_table tables[TABLE_COUNT] = {0};
     mt_summary summary = {0};
     mt_status status = mt_font_data_check(data);
     if (status != MT_OK) return status;
-    summary.offsets = mt_new((size_t)data->glyph_count + 1, sizeof *summary.offsets);
-    if (!summary.offsets) return MT_NO_MEMORY;
-    mt_summarise(data, &summary);
-    status = write_tables(data, &summary, tables);
+    status = begin_summary(data, &summary);
+    if (status == MT_OK) status = write_tables(data, &summary, tables);
     if (status == MT_OK) status = assemble(data, tables, bytes, length);
     for (int i = 0; i < TABLE_COUNT; i++) mt_table_free(&tables[i]);
     mt_free(summary.offsets);
+    mt_free(summary.extents);
     return status;
 }
 

@@ -19,7 +19,8 @@ static mt_status check_differences(const mt_glyf *glyph, int points) {
 }
 
 static mt_status check_glyph(const mt_glyf *glyph) {
-    if (glyph->contour_count < 0) return MT_BAD_PARAMETER;
+    if (glyph->contour_count < 0 || glyph->reference_count < 0) return MT_BAD_PARAMETER;
+    if (glyph->contour_count > 0 && glyph->reference_count > 0) return MT_BAD_PARAMETER;
     if (glyph->contour_count > MT_GLYF_CONTOURS_MAX) return MT_TOO_LARGE;
     for (int i = 0; i < glyph->contour_count; i++) {
         if (glyph->ends[i] >= MT_GLYF_POINTS_MAX) return MT_TOO_LARGE;
@@ -47,6 +48,33 @@ static mt_status check_chars(const mt_font_data *data) {
     return MT_OK;
 }
 
+static bool in_order(const mt_char_variant *before, const mt_char_variant *after) {
+    if (before->selector != after->selector) return before->selector < after->selector;
+    return before->code_point < after->code_point;
+}
+
+static mt_status check_variants(const mt_font_data *data) {
+    for (int i = 0; i < data->variant_count; i++) {
+        const mt_char_variant *variant = &data->variants[i];
+        if (i > 0 && !in_order(variant - 1, variant)) return MT_BAD_PARAMETER;
+        if (variant->code_point > 0x10FFFF || variant->selector > 0x10FFFF) return MT_BAD_PARAMETER;
+        if (variant->glyph >= data->glyph_count) return MT_BAD_PARAMETER;
+    }
+    return MT_OK;
+}
+
+/* As PostScript takes them. */
+static mt_status check_glyph_names(const mt_font_data *data) {
+    for (int i = 0; data->glyph_names && i < data->glyph_count; i++) {
+        const char *name = data->glyph_names[i];
+        size_t length = name ? strlen(name) : 0;
+        if (length < 1 || length > MT_GLYPH_NAME_MAX) return MT_BAD_PARAMETER;
+        for (size_t k = 0; k < length; k++)
+            if (name[k] <= ' ' || name[k] > '~') return MT_BAD_PARAMETER;
+    }
+    return MT_OK;
+}
+
 static bool is_utf8(const char *text) {
     uint32_t c = 1;
     while (c)
@@ -58,8 +86,9 @@ static bool is_utf8(const char *text) {
  * takes at most two bytes for one of UTF-8. */
 static mt_status check_names(const mt_font_data *data) {
     enum { NAME_BYTES_MAX = 65535, OTHERS = 256 };
-    const char *texts[] = {data->family,    data->style,   data->unique_id,   data->version,
-                           data->copyright, data->license, data->license_url, data->description};
+    const char *texts[] = {data->family,    data->style,    data->unique_id,   data->version,
+                           data->copyright, data->license,  data->license_url, data->description,
+                           data->designer,  data->trademark};
     size_t length = 0;
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         if (i < 3 && (!texts[i] || !*texts[i])) return MT_BAD_PARAMETER;
@@ -74,6 +103,8 @@ mt_status mt_font_data_check(const mt_font_data *data) {
     if (data->units < 16 || data->units > 16384) return MT_BAD_PARAMETER;
     mt_status status = check_glyphs(data);
     if (status == MT_OK) status = check_chars(data);
+    if (status == MT_OK) status = check_variants(data);
+    if (status == MT_OK) status = check_glyph_names(data);
     if (status == MT_OK) status = check_names(data);
     return status;
 }

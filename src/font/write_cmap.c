@@ -3,11 +3,12 @@
  * Format 4 holds the Basic Multilingual Plane in segments where both the code points and the glyphs rise by
  * one. Its length field has 16 bits, which is 8188 segments; a font that needs more, or that maps U+FFFF or
  * beyond, also gets a format 12 subtable with every character, and format 4 then holds the first ones, as
- * many as fit. */
+ * many as fit. Variation sequences stand in a subtable of format 14 (write_cmap14.c). */
 #include "write_tables.h"
 
 enum { UNICODE = 0, WINDOWS = 3 };
-enum { UNICODE_BMP = 3, UNICODE_FULL = 4, WINDOWS_BMP = 1, WINDOWS_FULL = 10 };
+enum { UNICODE_BMP = 3, UNICODE_FULL = 4, UNICODE_VARIANTS = 5, WINDOWS_BMP = 1, WINDOWS_FULL = 10 };
+enum { FORMAT12_HEADER = 16, FORMAT12_GROUP = 12 };
 enum { FORMAT4_HEADER = 16, FORMAT4_SEGMENT = 8, LAST_OF_BMP = 0xFFFF, HEADER = 4, RECORD = 8 };
 enum {
     SEGMENTS_MAX = (0xFFFF - FORMAT4_HEADER) / FORMAT4_SEGMENT - 1
@@ -83,7 +84,7 @@ static void write_format12(const mt_font_data *data, mt_table *table) {
     int groups = count_groups(data);
     mt_table_16(table, 12);
     mt_table_16(table, 0); /* reserved */
-    mt_table_32(table, 16 + 12 * (uint32_t)groups);
+    mt_table_32(table, FORMAT12_HEADER + FORMAT12_GROUP * (uint32_t)groups);
     mt_table_32(table, 0); /* language */
     mt_table_32(table, (uint32_t)groups);
     for (int i = 0, end; i < data->char_count; i = end) {
@@ -106,15 +107,18 @@ static void write_record(int platform, int encoding, int offset, mt_table *table
 void mt_write_cmap(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
     (void)summary;
     int segments, limit = count_bmp(data, &segments);
-    bool full = limit < data->char_count;
-    int records = full ? 4 : 2, format4 = HEADER + RECORD * records;
+    bool full = limit<data->char_count, varied = data->variant_count> 0;
+    int records = (full ? 4 : 2) + varied, format4 = HEADER + RECORD * records;
     int format12 = format4 + FORMAT4_HEADER + FORMAT4_SEGMENT * (segments + 1);
+    int format14 = format12 + (full ? FORMAT12_HEADER + FORMAT12_GROUP * count_groups(data) : 0);
     mt_table_16(table, 0); /* version */
     mt_table_16(table, records);
     write_record(UNICODE, UNICODE_BMP, format4, table);
     if (full) write_record(UNICODE, UNICODE_FULL, format12, table);
+    if (varied) write_record(UNICODE, UNICODE_VARIANTS, format14, table);
     write_record(WINDOWS, WINDOWS_BMP, format4, table);
     if (full) write_record(WINDOWS, WINDOWS_FULL, format12, table);
     write_format4(data, limit, segments, table);
     if (full) write_format12(data, table);
+    if (varied) mt_write_variants(data, table);
 }

@@ -48,17 +48,46 @@ static void write_points(const mt_glyf_point *points, int count, mt_table *table
     for (int i = 0; i < count; i++) write_difference(points[i].y - (i ? points[i - 1].y : 0), table);
 }
 
-static void write_glyph(const mt_glyf *glyph, mt_table *table) {
-    if (glyph->contour_count == 0) return;
-    mt_bounds bounds = mt_glyf_bounds(glyph);
-    mt_table_16(table, glyph->contour_count);
-    mt_table_16(table, bounds.x_min);
-    mt_table_16(table, bounds.y_min);
-    mt_table_16(table, bounds.x_max);
-    mt_table_16(table, bounds.y_max);
+static void write_bounds(const mt_bounds *bounds, mt_table *table) {
+    mt_table_16(table, bounds->x_min);
+    mt_table_16(table, bounds->y_min);
+    mt_table_16(table, bounds->x_max);
+    mt_table_16(table, bounds->y_max);
+}
+
+static void write_contours(const mt_glyf *glyph, mt_table *table) {
     for (int i = 0; i < glyph->contour_count; i++) mt_table_16(table, glyph->ends[i]);
     mt_table_16(table, 0); /* no instructions */
     write_points(glyph->points, mt_glyf_point_count(glyph), table);
+}
+
+static bool is_byte(int offset) {
+    return offset >= INT8_MIN && offset <= INT8_MAX;
+}
+
+static void write_reference(const mt_glyf_reference *reference, bool last, mt_table *table) {
+    enum { WORDS = 1, OFFSETS = 2, MORE = 0x20, USE_MY_METRICS = 0x200 };
+    bool words = !is_byte(reference->dx) || !is_byte(reference->dy);
+    mt_table_16(table, OFFSETS | (words ? WORDS : 0) | (last ? 0 : MORE) |
+                           (reference->same_metrics ? USE_MY_METRICS : 0));
+    mt_table_16(table, reference->glyph);
+    if (words) {
+        mt_table_16(table, reference->dx);
+        mt_table_16(table, reference->dy);
+    } else {
+        mt_table_u8(table, (unsigned)reference->dx & 0xFF);
+        mt_table_u8(table, (unsigned)reference->dy & 0xFF);
+    }
+}
+
+static void write_glyph(const mt_glyf *glyph, const mt_extent *extent, mt_table *table) {
+    enum { COMPOSITE = -1 };
+    if (extent->points == 0) return;
+    mt_table_16(table, glyph->reference_count ? COMPOSITE : glyph->contour_count);
+    write_bounds(&extent->bounds, table);
+    for (int i = 0; i < glyph->reference_count; i++)
+        write_reference(&glyph->references[i], i == glyph->reference_count - 1, table);
+    if (glyph->reference_count == 0) write_contours(glyph, table);
     mt_table_zeros(table, (int)(table->length % ALIGNMENT));
 }
 
@@ -66,7 +95,7 @@ static void write_glyph(const mt_glyf *glyph, mt_table *table) {
 void mt_write_glyf(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
     for (int i = 0; i < data->glyph_count; i++) {
         summary->offsets[i] = (uint32_t)table->length;
-        write_glyph(&data->glyphs[i], table);
+        write_glyph(&data->glyphs[i], &summary->extents[i], table);
     }
     summary->offsets[data->glyph_count] = (uint32_t)table->length;
     if (table->length == 0) mt_table_zeros(table, 1); /* readers want a table that is not empty */

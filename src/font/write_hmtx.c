@@ -11,11 +11,10 @@ static int stored_advances(const mt_font_data *data) {
 }
 
 void mt_write_hmtx(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
-    (void)summary;
     int stored = stored_advances(data);
     for (int i = 0; i < data->glyph_count; i++) {
         if (i < stored) mt_table_16(table, data->glyphs[i].advance);
-        mt_table_16(table, mt_glyf_bounds(&data->glyphs[i]).x_min); /* the left side bearing */
+        mt_table_16(table, summary->extents[i].bounds.x_min); /* the left side bearing */
     }
 }
 

@@ -40,7 +40,7 @@ static void add_name(int id, const char *first, const char *second, mt_naming *n
 /* ---- the PostScript name ----------------------------------------------------------------------------------
  */
 
-enum { POSTSCRIPT_MAX = 63, POSTSCRIPT_STYLE_MAX = 31 };
+enum { POSTSCRIPT_MAX = MT_POSTSCRIPT_NAME_ROOM - 1, POSTSCRIPT_STYLE_MAX = 31 };
 
 /* Copies what a PostScript name may hold; writes a character beyond ASCII as u and its hexadecimal code
  * point, so that names in any script stay apart, and leaves the rest out. At most `limit` bytes and a NUL. */
@@ -58,13 +58,17 @@ static void copy_printable(const char *text, size_t limit, char *name) {
     name[length] = '\0';
 }
 
-/* FAMILY-STYLE, the family cut short where both do not fit. */
-static void add_postscript_name(const mt_font_data *data, mt_naming *naming) {
-    char style[POSTSCRIPT_STYLE_MAX + 1], name[POSTSCRIPT_MAX + 1];
+void mt_postscript_name(const mt_font_data *data, char name[MT_POSTSCRIPT_NAME_ROOM]) {
+    char style[POSTSCRIPT_STYLE_MAX + 1];
     copy_printable(data->style, POSTSCRIPT_STYLE_MAX, style);
     copy_printable(data->family, POSTSCRIPT_MAX - 1 - strlen(style), name);
     strcat(name, "-");
     strcat(name, style);
+}
+
+static void add_postscript_name(const mt_font_data *data, mt_naming *naming) {
+    char name[MT_POSTSCRIPT_NAME_ROOM];
+    mt_postscript_name(data, name);
     add_name(MT_NAME_POSTSCRIPT, name, NULL, naming);
 }
 
@@ -81,6 +85,8 @@ static void add_names(const mt_font_data *data, const mt_summary *summary, mt_na
     add_name(MT_NAME_FULL, data->family, data->style, naming);
     add_name(MT_NAME_VERSION, data->version, NULL, naming);
     add_postscript_name(data, naming);
+    add_name(MT_NAME_TRADEMARK, data->trademark, NULL, naming);
+    add_name(MT_NAME_DESIGNER, data->designer, NULL, naming);
     add_name(MT_NAME_DESCRIPTION, data->description, NULL, naming);
     add_name(MT_NAME_LICENSE, data->license, NULL, naming);
     add_name(MT_NAME_LICENSE_URL, data->license_url, NULL, naming);

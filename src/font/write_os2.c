@@ -1,6 +1,12 @@
 /* 'OS/2', version 4. */
 #include "write_tables.h"
 
+#include <string.h>
+
+#include "font/max_context.h"
+#include "panose.h"
+#include "sfnt.h"
+
 /* The mean of the advances that are not zero. */
 static double mean_advance(const mt_font_data *data) {
     int64_t sum = 0, count = 0;
@@ -16,13 +22,14 @@ static void write_pair(const double pair[2], mt_table *table) {
     mt_table_i16_of(table, pair[1]);
 }
 
-static void write_panose(const mt_font_data *data, mt_table *table) {
-    enum { FAMILY_LATIN_TEXT = 2, PROPORTION_MONOSPACED = 9 };
-    bool monospaced = data->metrics.monospaced;
-    mt_table_u8(table, monospaced ? FAMILY_LATIN_TEXT : 0); /* a proportion means nothing without a family */
-    mt_table_zeros(table, 2);
-    mt_table_u8(table, monospaced ? PROPORTION_MONOSPACED : 0);
-    mt_table_zeros(table, 6);
+/* A monospaced font says so, unless its family knows no such proportion. */
+static void write_panose(const mt_metrics *metrics, mt_table *table) {
+    uint8_t panose[MT_PANOSE_DIGITS];
+    memcpy(panose, metrics->panose, sizeof panose);
+    if (metrics->monospaced && panose[0] == 0) panose[0] = MT_PANOSE_LATIN_TEXT;
+    if (metrics->monospaced && panose[0] == MT_PANOSE_LATIN_TEXT)
+        panose[MT_PANOSE_PROPORTION] = MT_PANOSE_MONOSPACED;
+    mt_table_bytes(table, panose, sizeof panose);
 }
 
 static void write_coverage(const mt_font_data *data, mt_table *table) {
@@ -54,13 +61,25 @@ static void write_lines(const mt_metrics *metrics, mt_table *table) {
     mt_table_u16_of(table, metrics->win_descent);
 }
 
+static int max_context(const mt_font_data *data) {
+    int most = 0;
+    for (int i = 0; i < data->extra_count; i++) {
+        const mt_extra_table *extra = &data->extras[i];
+        bool substitution = extra->tag == MT_TAG('G', 'S', 'U', 'B');
+        if (!substitution && extra->tag != MT_TAG('G', 'P', 'O', 'S')) continue;
+        int found = mt_max_context(extra->data, substitution);
+        if (found > most) most = found;
+    }
+    return most;
+}
+
 /* What version 2 added to the end of the table. */
 static void write_heights(const mt_font_data *data, mt_table *table) {
     mt_table_i16_of(table, data->metrics.x_height);
     mt_table_i16_of(table, data->metrics.cap_height);
     mt_table_16(table, 0); /* usDefaultChar: .notdef */
     mt_table_16(table, mt_has_char(data->chars, data->char_count, ' ') ? ' ' : 0); /* usBreakChar */
-    mt_table_16(table, 0);                                                         /* usMaxContext */
+    mt_table_16(table, max_context(data));
 }
 
 void mt_write_os2(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
@@ -77,8 +96,8 @@ void mt_write_os2(const mt_font_data *data, const mt_summary *summary, mt_table 
     write_pair(metrics->superscript_offset, table);
     mt_table_i16_of(table, metrics->strikeout_size);
     mt_table_i16_of(table, metrics->strikeout_position);
-    mt_table_16(table, 0); /* sFamilyClass: none */
-    write_panose(data, table);
+    mt_table_16(table, metrics->family_class);
+    write_panose(metrics, table);
     write_coverage(data, table);
     mt_table_bytes(table, "    ", 4); /* achVendID: none */
     write_selection(data, summary, table);

@@ -3,30 +3,27 @@
 #ifndef MT_WRITE_TABLES_H
 #define MT_WRITE_TABLES_H
 
+#include "extent.h"
 #include "table.h"
-#include "write.h"
-
-/* Font units; all zero for a glyph without points. */
-typedef struct mt_bounds {
-    int x_min, y_min, x_max, y_max;
-} mt_bounds;
 
 typedef struct mt_summary {
-    mt_bounds bounds;                    /* of all glyphs that have points */
-    int max_points, max_contours;        /* of a glyph */
-    int max_advance;                     /* of all glyphs */
+    mt_extent *extents;           /* of each glyph */
+    mt_bounds bounds;             /* of all glyphs that have points */
+    int max_points, max_contours; /* of a glyph with contours of its own */
+    int max_composite_points, max_composite_contours, max_references, max_depth; /* of a composite */
+    int max_advance;                                                             /* of all glyphs */
     int min_left, min_right, max_extent; /* side bearings, and the farthest xMax: of the glyphs with points */
-    bool bold, italic;                   /* as the style links of 'name', head and OS/2 tell it */
-    uint32_t *offsets;                   /* into glyf: glyph_count + 1 of them */
+    int max_height, min_top, min_bottom, max_vertical_extent; /* the same of vertical lines */
+    bool bold, italic; /* as the style links of 'name', head and OS/2 tell it */
+    uint32_t *offsets; /* into glyf: glyph_count + 1 of them */
 } mt_summary;
 
-/* write_check.c. MT_OK, MT_BAD_PARAMETER or MT_TOO_LARGE. */
+/* write_check.c. MT_OK, MT_BAD_PARAMETER or MT_TOO_LARGE; what references lead to is mt_extents_fill's to check. */
 mt_status mt_font_data_check(const mt_font_data *data);
 
 /* write_summary.c */
-int mt_glyf_point_count(const mt_glyf *glyph);
-mt_bounds mt_glyf_bounds(const mt_glyf *glyph);
-void mt_summarise(const mt_font_data *data, mt_summary *summary); /* all but the offsets */
+void mt_summarise_style(const mt_font_data *data, mt_summary *summary); /* bold and italic */
+void mt_summarise(const mt_font_data *data, mt_summary *summary); /* from the extents; all but the offsets */
 /* The one of Regular, Bold, Italic and Bold Italic that the font is linked as. */
 const char *mt_linked_style(const mt_summary *summary);
 
@@ -43,6 +40,24 @@ void mt_write_maxp(const mt_font_data *data, const mt_summary *summary, mt_table
 void mt_write_os2(const mt_font_data *data, const mt_summary *summary, mt_table *table);
 void mt_write_post(const mt_font_data *data, const mt_summary *summary, mt_table *table);
 void mt_write_name(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+void mt_write_gasp(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+void mt_write_prep(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+/* Nothing where the font has no vertical metrics. */
+void mt_write_vhea(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+void mt_write_vmtx(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+
+/* write_vmtx.c: the top side bearing. */
+int mt_top_bearing(const mt_glyf *glyph, const mt_extent *extent);
+
+/* write_head.c: the first decimal number of the version text, such as 1.25 of "Version 1.25; …"; 1 without one. */
+double mt_font_revision(const char *version);
+
+/* write_name.c: FAMILY-STYLE, the family cut short where both do not fit. */
+enum { MT_POSTSCRIPT_NAME_ROOM = 64 };
+void mt_postscript_name(const mt_font_data *data, char name[MT_POSTSCRIPT_NAME_ROOM]);
+
+/* write_cmap14.c: the subtable of variation sequences. */
+void mt_write_variants(const mt_font_data *data, mt_table *table);
 
 /* write_glyf.c: whether loca needs 32-bit offsets; known when glyf is written. */
 bool mt_loca_is_long(const mt_font_data *data, const mt_summary *summary);

@@ -39,6 +39,17 @@ static inline double mt_grid_units(double thousandths) {
 /* The most glyphs that a TrueType font can hold ('maxp' numGlyphs, uint16). */
 #define MT_GLYPHS_MAX 65535
 
+/* What is read of a font's GSUB: substitutions, glyphs in them, and what they are reached by. The largest fonts have some
+ * 200 000. And how often two fonts' substitutions are compared before their forms are left as they are paired then. */
+#define MT_SUBSTITUTIONS_MAX (1 << 22)
+#define MT_COMPARISONS_MAX (1 << 28)
+
+/* Variation sequences that are read of a font. The largest have some 40 000. */
+#define MT_VARIANTS_MAX (1 << 18)
+
+/* The longest name of a glyph that is written, in bytes (Adobe Glyph List specification, section 2). */
+#define MT_GLYPH_NAME_MAX 63
+
 /* Contours and points of one output glyph ('glyf' counts and indices are 16-bit). */
 #define MT_GLYF_CONTOURS_MAX 32767
 #define MT_GLYF_POINTS_MAX 65535

@@ -1,4 +1,4 @@
-/* The one C++ file: Clipper behind union.h. No exception leaves it. */
+/* Clipper behind union.h. No exception leaves it. */
 #include <algorithm>
 #include <cmath>
 #include <new>

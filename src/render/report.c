@@ -64,19 +64,19 @@ static mt_status measure_all(mt_report *report) {
 
 /* ---- the report ---------------------------------------------------------------------------------------- */
 
-/* The glyphs to measure: all of the blend's but .notdef. */
+/* The glyphs to measure: all of the blend's that characters lead to. */
 static mt_status list_glyphs(const mt_report_request *request, mt_report *report) {
     mt_arena arena = {0};
     mt_charset charset;
-    mt_status status =
-        mt_charset_make(request->a, request->b, request->code_points, request->count, &arena, &charset);
+    mt_charset_request wanted = {request->code_points, request->count, MT_GLYPHS_BOTH};
+    mt_status status = mt_charset_make(request->a, request->b, &wanted, &arena, &charset);
     if (status == MT_OK) {
-        report->count = charset.glyph_count - 1;
-        report->glyphs = mt_new((size_t)report->count, sizeof *report->glyphs);
+        report->glyphs = mt_new((size_t)charset.glyph_count, sizeof *report->glyphs);
         if (!report->glyphs) status = MT_NO_MEMORY;
     }
-    for (int i = 0; status == MT_OK && i < report->count; i++)
-        report->glyphs[i].code_point = charset.glyphs[i + 1].code_point;
+    for (int i = 0; status == MT_OK && i < charset.glyph_count; i++)
+        if (charset.glyphs[i].mapped)
+            report->glyphs[report->count++].code_point = charset.glyphs[i].code_point;
     mt_arena_release(&arena);
     return status;
 }

@@ -21,14 +21,21 @@ SERIF = DEBIAN / 'truetype/dejavu/DejaVuSerif.ttf'
 ZENHEI = DEBIAN / 'truetype/wqy/wqy-zenhei.ttc'
 UKAI = DEBIAN / 'truetype/arphic/ukai.ttc'
 INTER = DEBIAN / 'truetype/inter-vf/Inter-roman.var.ttf'
+NOTO_SANS = f"{DEBIAN / 'opentype/noto/NotoSansCJK-Bold.ttc'}#2"
+NOTO_SERIF = f"{DEBIAN / 'opentype/noto/NotoSerifCJK-Regular.ttc'}#2"
+MONO = DEBIAN / 'truetype/dejavu/DejaVuSansMono.ttf'
+MONO_BOLD = DEBIAN / 'truetype/dejavu/DejaVuSansMono-Bold.ttf'
 DEMO_SANS = SOURCE / 'fonts/MorphotypeDemo-Sans.ttf'
 DEMO_SERIF = SOURCE / 'fonts/MorphotypeDemo-Serif.otf'
+
+# What blend says of DejaVu Serif, always.
+NO_MATH = f'morphotype: colour, bitmap and math tables are left out: MATH of {SERIF}'
 
 
 def cut_font(target, text, blank=''):
     """Makes a font of these characters alone from DejaVu Serif; those in `blank` lose their ink."""
     font = ttLib.TTFont(SERIF)
-    options = subset.Options(drop_tables=subset.Options().drop_tables + ['FFTM'])
+    options = subset.Options(drop_tables=subset.Options().drop_tables + ['FFTM', 'MATH'])
     subsetter = subset.Subsetter(options)
     subsetter.populate(text=text)
     subsetter.subset(font)
@@ -129,6 +136,12 @@ class Image:
         """How much black there is between two columns, in pixels."""
         return sum(255 * (len(part) // 3) - sum(part[::3])
                    for part in (row[3 * left:3 * (self.width if right is None else right)] for row in self.rows)) / 255
+
+    def box(self, top=0, bottom=None):
+        """The box around what is darker than half between two rows: left, right, top and bottom, in pixels."""
+        dark = [(x, y) for y, row in enumerate(self.rows[top:bottom], top) for x in range(self.width) if row[3 * x] < 128]
+        columns, lines = zip(*dark)
+        return min(columns), max(columns) + 1, min(lines), max(lines) + 1
 
 
 def main():

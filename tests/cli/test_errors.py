@@ -160,8 +160,8 @@ class Outputs(cli.Test):
 
     def test_first_of_several_goes_when_a_later_one_fails(self):
         self.path('x-0.75.ttf').mkdir()
-        self.refused(1, 'blend', cli.SANS_BOLD, cli.SERIF, '--text', 'A', '--at', '0.25,0.5,0.75', '-o', 'x.ttf',
-                     says=['x-0.75.ttf'])
+        self.refused(1, 'blend', cli.SANS_BOLD, cli.SERIF, '--text', 'A', '--at', '0.25,0.5,0.75', '-q', '-o',
+                     'x.ttf', says=['x-0.75.ttf'])
         self.path('y-3.png').mkdir()
         self.refused(1, 'sheet', cli.SANS_BOLD, cli.SERIF, '--text', 'ABCDE', '--rows', 1, '-o', 'y.png', says=['y.png'])
 

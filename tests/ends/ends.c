@@ -155,12 +155,11 @@ static int read_chars(int count, char **arguments, uint32_t *chars) {
 /* The blend at t, written and read back. */
 static mt_status blend_and_read(mt_font *a, mt_font *b, double t, const uint32_t *chars, int count,
                                 mt_font **made) {
-    char path[] = "/tmp/morphotype-ends-XXXXXX";
+    char directory[] = "/tmp/morphotype-ends-XXXXXX", path[sizeof directory + 8];
     mt_params params = mt_params_default();
     mt_blend *blend;
-    int fd = mkstemp(path);
-    if (fd < 0) return MT_CANNOT_WRITE;
-    close(fd);
+    if (!mkdtemp(directory)) return MT_CANNOT_WRITE;
+    snprintf(path, sizeof path, "%s/x.ttf", directory);
     mt_status status = mt_blend_new(a, b, &params, &blend);
     if (status != MT_OK) return status;
     mt_blend_on_failure(blend, say_failure, NULL);
@@ -169,6 +168,7 @@ static mt_status blend_and_read(mt_font *a, mt_font *b, double t, const uint32_t
     if (status == MT_OK) status = mt_font_open(path, made);
     mt_blend_free(blend);
     unlink(path);
+    rmdir(directory);
     return status;
 }
 

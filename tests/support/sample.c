@@ -55,6 +55,10 @@ static const mt_metrics metrics = {
     .weight_class = 350,
     .width_class = 4,
     .caret_offset = 3,
+    .vhea_ascender = 500,
+    .vhea_descender = -500,
+    .family_class = 0x0501,
+    .panose = {2, 3, 4, 5, 6, 7, 8, 9, 10, 11},
     .use_typo_metrics = true,
 };
 
@@ -78,6 +82,8 @@ mt_font_data mt_sample_font(mt_arena *arena) {
         .license = "MIT",
         .license_url = "https://example.org/",
         .description = "A sample",
+        .designer = "É. Signer",
+        .trademark = "Sample is no trademark",
     };
     data.glyphs = mt_arena_new(arena, 5, sizeof *data.glyphs);
     data.chars = mt_arena_new(arena, 4, sizeof *data.chars);

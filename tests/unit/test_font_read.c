@@ -222,8 +222,8 @@ static void names_come_back(void **state) {
     assert_string_equal(names.copyright, "© é");
     assert_string_equal(names.license, "MIT");
     assert_string_equal(names.license_url, "https://example.org/");
-    assert_null(names.designer);
-    assert_null(names.trademark);
+    assert_string_equal(names.designer, "É. Signer");
+    assert_string_equal(names.trademark, "Sample is no trademark");
     assert_string_equal(mt_font_family(font), names.family);
     assert_string_equal(mt_font_style(font), names.style);
     mt_font_close(font);
@@ -238,6 +238,7 @@ static void figures_come_back(void **state) {
     assert_memory_equal(&read, &data.metrics, offsetof(mt_metrics, monospaced)); /* all the numbers */
     assert_false(read.monospaced);
     assert_true(read.use_typo_metrics);
+    assert_false(read.vertical);
     assert_int_equal(mt_font_units(font), data.units);
     assert_int_equal(mt_font_modified(font), data.modified);
     assert_int_equal(mt_font_embedding(font), data.embedding);

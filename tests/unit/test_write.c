@@ -1,3 +1,5 @@
+#include "font/extent.h"
+#include "font/max_context.h"
 #include "font/sfnt.h"
 #include "font/table.h"
 #include "geometry/limits.h"
@@ -44,6 +46,14 @@ static mt_font *reopen(const mt_font_data *data) {
     return font;
 }
 
+static void assert_refused(const mt_font_data *data, mt_status status) {
+    uint8_t *bytes = NULL;
+    size_t length = 77;
+    assert_int_equal(mt_font_write(data, &bytes, &length), status);
+    assert_null(bytes);
+    assert_int_equal(length, 77);
+}
+
 static int16_t read_i16(const uint8_t *bytes) {
     return (int16_t)mt_read_u16(bytes);
 }
@@ -63,8 +73,8 @@ static void checksums_are_right(void **state) {
     mt_font_data data = mt_sample_font(&arena);
     uint8_t *bytes = write_font(&data, &length);
     assert_int_equal(checksum(bytes, length), 0xB1B0AFBA);
-    assert_int_equal(mt_read_u16(bytes + 4), 10);
-    for (unsigned i = 0; i < 10; i++) {
+    assert_int_equal(mt_read_u16(bytes + 4), 12);
+    for (unsigned i = 0; i < 12; i++) {
         const uint8_t *entry = bytes + 12 + 16 * i;
         uint32_t sum = checksum(bytes + mt_read_u32(entry + 8), mt_read_u32(entry + 12));
         if (memcmp(entry, "head", 4) == 0)
@@ -193,6 +203,98 @@ static void offsets_grow_long(void **state) {
     }
 }
 
+/* Glyph 4 becomes A with the two squares high above it, and glyph 0 that one moved. */
+static mt_font_data with_references(void) {
+    static const mt_glyf_reference parts[] = {{1, 0, 0, true}, {3, -20, 900, false}},
+                                   moved[] = {{4, 300, -7, false}};
+    mt_font_data data = mt_sample_font(&arena);
+    mt_glyf *nested = &data.glyphs[0], *composite = &data.glyphs[4];
+    nested->reference_count = 1;
+    nested->references = mt_arena_new(&arena, 1, sizeof parts[0]);
+    composite->reference_count = 2;
+    composite->references = mt_arena_new(&arena, 2, sizeof parts[0]);
+    assert_true(nested->references && composite->references);
+    memcpy(nested->references, moved, sizeof moved);
+    memcpy(composite->references, parts, sizeof parts);
+    composite->advance = data.glyphs[1].advance;
+    return data;
+}
+
+static void references_read_back(void **state) {
+    (void)state;
+    size_t length;
+    mt_font_data data = with_references();
+    mt_outline part, whole;
+    mt_references references;
+    double advance;
+    mt_font *font = reopen(&data);
+    mt_assert_ok(mt_font_references(font, 4, &arena, &references));
+    assert_int_equal(references.count, 2);
+    assert_int_equal(references.list[0].glyph, 1);
+    assert_int_equal(references.list[1].glyph, 3);
+    assert_int_equal(references.list[1].dx, -20);
+    assert_int_equal(references.list[1].dy, 900);
+    mt_assert_ok(mt_font_references(font, 0, &arena, &references));
+    assert_true(references.count == 1 && references.list[0].glyph == 4 && references.list[0].dx == 300);
+    mt_assert_ok(mt_font_references(font, 3, &arena, &references));
+    assert_int_equal(references.count, 0);
+    mt_assert_ok(mt_font_outline(font, 1, &arena, &part, &advance));
+    mt_assert_ok(mt_font_outline(font, 0, &arena, &whole, &advance));
+    assert_int_equal(whole.count, 3);
+    for (int i = 0; i < part.contours[0].count; i++) {
+        mt_point p = part.contours[0].segments[i].end, q = whole.contours[0].segments[i].end;
+        assert_true(q.x - p.x == 300 * 256 && q.y - p.y == -7 * 256);
+    }
+    mt_font_close(font);
+    uint8_t *bytes = write_font(&data, &length);
+    const uint8_t *maxp = mt_sample_table(bytes, "maxp", NULL), *head = mt_sample_table(bytes, "head", NULL);
+    static const int counts[] = {8, 2, 11, 3}; /* points and contours, of a glyph and of a composite */
+    for (int i = 0; i < 4; i++) assert_int_equal(mt_read_u16(maxp + 6 + 2 * i), counts[i]);
+    assert_int_equal(mt_read_u16(maxp + 28), 2); /* references */
+    assert_int_equal(mt_read_u16(maxp + 30), 2); /* depth */
+    assert_int_equal(read_i16(head + 42), 1700); /* yMax: the squares' */
+    mt_bytes_free(bytes);
+}
+
+static void bad_references(void **state) {
+    (void)state;
+    mt_font_data data = with_references();
+    data.glyphs[4].references[1].glyph = 5; /* there is none */
+    assert_refused(&data, MT_BAD_PARAMETER);
+    data.glyphs[4].references[1].glyph = 0; /* in a circle */
+    assert_refused(&data, MT_BAD_PARAMETER);
+    data.glyphs[4].references[1].glyph = 4;
+    assert_refused(&data, MT_BAD_PARAMETER);
+    data = with_references();
+    data.glyphs[3].reference_count = 1;
+    data.glyphs[3].references = data.glyphs[4].references;
+    assert_refused(&data, MT_BAD_PARAMETER); /* contours and references */
+    data = with_references();
+    data.glyphs[4].references[1].dy = 32000; /* 800 high */
+    assert_refused(&data, MT_TOO_LARGE);
+}
+
+/* Each glyph refers to the one before: as many deep as are let pass, and one more. */
+static void references_are_only_so_deep(void **state) {
+    (void)state;
+    enum { COUNT = MT_GLYF_DEPTH_MAX + 3 };
+    mt_font_data data = mt_sample_font(&arena);
+    size_t length;
+    data.glyphs = mt_arena_new(&arena, COUNT, sizeof *data.glyphs);
+    mt_glyf_reference *references = mt_arena_new(&arena, COUNT, sizeof *references);
+    assert_true(data.glyphs && references);
+    data.glyphs[1] = mt_sample_font(&arena).glyphs[1];
+    for (int i = 2; i < COUNT; i++) {
+        references[i] = (mt_glyf_reference){(uint16_t)(i - 1), 1, 0, false};
+        data.glyphs[i].references = &references[i];
+        data.glyphs[i].reference_count = 1;
+    }
+    data.glyph_count = COUNT - 1;
+    mt_bytes_free(write_font(&data, &length));
+    data.glyph_count = COUNT;
+    assert_refused(&data, MT_BAD_PARAMETER);
+}
+
 static void nothing_drawn(void **state) {
     (void)state;
     size_t length, glyf;
@@ -225,6 +327,139 @@ static void trailing_advances_are_shared(void **state) {
     assert_int_equal(read_i16(hhea + 12), -7);
     assert_int_equal(read_i16(hhea + 14), 0); /* é: 700 - 700 */
     assert_int_equal(read_i16(hhea + 16), 700);
+    mt_bytes_free(bytes);
+}
+
+/* Heights that repeat are stored once; the top side bearing is what the top is under the origin. */
+static void vertical_metrics(void **state) {
+    (void)state;
+    size_t length, vmtx;
+    mt_vertical vertical;
+    mt_font_data data = mt_sample_font(&arena);
+    data.metrics.vertical = true;
+    data.metrics.vhea_ascender = 480;
+    data.metrics.vhea_line_gap = 33;
+    for (int i = 0; i < 5; i++) {
+        data.glyphs[i].height = i < 2 ? 900 : 1000;
+        data.glyphs[i].origin = 880;
+    }
+    data.glyphs[2].origin = 400;
+    uint8_t *bytes = write_font(&data, &length);
+    const uint8_t *heights = mt_sample_table(bytes, "vmtx", &vmtx),
+                  *vhea = mt_sample_table(bytes, "vhea", NULL);
+    assert_int_equal(mt_read_u16(vhea + 34), 3);
+    assert_int_equal(vmtx, 4 * 3 + 2 * 2);
+    assert_int_equal(mt_read_u16(heights + 4), 900);
+    assert_int_equal(read_i16(heights + 6), 880 - 700);  /* A */
+    assert_int_equal(read_i16(heights + 10), 400 - 501); /* o */
+    assert_int_equal(read_i16(heights + 12), 880 - 800); /* é */
+    assert_int_equal(read_i16(vhea + 4), 480);
+    assert_int_equal(read_i16(vhea + 6), -500);
+    assert_int_equal(read_i16(vhea + 8), 33);
+    assert_int_equal(mt_read_u16(vhea + 10), 1000);
+    assert_int_equal(read_i16(vhea + 12), -101);            /* the least top side bearing */
+    assert_int_equal(read_i16(vhea + 14), 900 - 180 - 700); /* the least at the bottom: A's */
+    assert_int_equal(read_i16(vhea + 16), 880);             /* the farthest reach: A's and é's */
+    mt_bytes_free(bytes);
+    mt_font *font = reopen(&data);
+    for (uint32_t i = 0; i < 5; i++) {
+        mt_assert_ok(mt_font_vertical(font, i, &vertical));
+        assert_float_equal(vertical.advance, 256.0 * data.glyphs[i].height, 0);
+        assert_float_equal(vertical.origin, 256.0 * data.glyphs[i].origin, 0);
+    }
+    mt_font_close(font);
+}
+
+static void no_vertical_metrics(void **state) {
+    (void)state;
+    size_t length;
+    mt_vertical vertical;
+    mt_font_data data = mt_sample_font(&arena);
+    uint8_t *bytes = write_font(&data, &length);
+    assert_true(!mt_sample_table(bytes, "vhea", NULL) && !mt_sample_table(bytes, "vmtx", NULL));
+    mt_bytes_free(bytes);
+    mt_font *font = reopen(&data);
+    mt_assert_ok(mt_font_vertical(font, 1, &vertical));
+    assert_float_equal(vertical.advance, 256.0 * (750 + 250), 0); /* the typographic lines' */
+    assert_float_equal(vertical.origin, 256.0 * 750, 0);
+    mt_font_close(font);
+}
+
+static void smooth_at_every_size(void **state) {
+    (void)state;
+    size_t length, gasp, prep;
+    static const uint8_t range[] = {0, 1, 0, 1, 0xFF, 0xFF, 0, 15},
+                         program[] = {0xB8, 1, 0xFF, 0x85, 0xB0, 4, 0x8D};
+    mt_font_data data = mt_sample_font(&arena);
+    uint8_t *bytes = write_font(&data, &length);
+    const uint8_t *ranges = mt_sample_table(bytes, "gasp", &gasp),
+                  *run = mt_sample_table(bytes, "prep", &prep);
+    assert_true(gasp == sizeof range && prep == sizeof program);
+    assert_memory_equal(ranges, range, gasp);
+    assert_memory_equal(run, program, prep);
+    assert_int_equal(mt_read_u16(mt_sample_table(bytes, "maxp", NULL) + 24), 1); /* maxStackElements */
+    mt_bytes_free(bytes);
+}
+
+/* A monospaced font says so in PANOSE too, where its family knows the proportion. */
+static void panose_tells_monospaced(void **state) {
+    (void)state;
+    static const uint8_t families[][3] = {
+        {0, 2, 9}, {2, 2, 9}, {3, 3, 5}}; /* given; and then, with the proportion */
+    for (int i = 0; i < 3; i++) {
+        size_t length;
+        mt_font_data data = mt_sample_font(&arena);
+        data.metrics.monospaced = true;
+        data.metrics.panose[0] = families[i][0];
+        uint8_t *bytes = write_font(&data, &length);
+        const uint8_t *panose = mt_sample_table(bytes, "OS/2", NULL) + 32;
+        assert_int_equal(panose[0], families[i][1]);
+        assert_int_equal(panose[3], families[i][2]);
+        mt_bytes_free(bytes);
+    }
+}
+
+/* A GSUB of one lookup of one subtable. */
+static mt_bytes one_lookup(uint16_t type, const uint16_t *subtable, int count) {
+    uint16_t words[64] = {1, 0,    0, 0, 10, 1,
+                          4, type, 0, 1, 8}; /* the list at 10, its lookup at 14, the subtable at 22 */
+    uint8_t *bytes = mt_arena_new(&arena, 200, 1);
+    assert_non_null(bytes);
+    memcpy(words + 11, subtable, (size_t)count * sizeof *subtable);
+    for (int i = 0; i < 11 + count; i++) {
+        bytes[2 * i] = (uint8_t)(words[i] >> 8);
+        bytes[2 * i + 1] = (uint8_t)words[i];
+    }
+    return (mt_bytes){bytes, (size_t)(22 + 2 * count)};
+}
+
+static void contexts_are_measured(void **state) {
+    (void)state;
+    static const uint16_t ligature[] = {1, 0, 1, 8, 2, 6, 10, 99, 3, 99, 2}, context[] = {3, 4, 0},
+                          chain[] = {3, 2, 0, 0, 1, 0, 2, 0, 0, 0},
+                          chain_rule[] = {1, 0, 1, 8, 1, 4, 1, 9, 3, 8, 8, 4, 7, 7, 7, 7, 0},
+                          reverse[] = {1, 0, 1, 0, 5, 0, 0, 0, 0, 0, 0},
+                          extension[] = {1, 6, 0, 8, 3, 0, 7, 0};
+    const struct {
+        unsigned type;
+        const uint16_t *subtable;
+        int count, most;
+    } cases[] = {{1, context, 1, 1},     {4, ligature, 11, 3}, {5, context, 3, 4},   {6, chain, 10, 3},
+                 {6, chain_rule, 17, 7}, {8, reverse, 11, 6},  {7, extension, 8, 7}, {99, context, 3, 0}};
+    for (int i = 0; i < 8; i++) {
+        mt_bytes table = one_lookup((uint16_t)cases[i].type, cases[i].subtable, cases[i].count);
+        assert_int_equal(mt_max_context(table, true), cases[i].most);
+        for (; table.length > 0; table.length--) assert_in_range(mt_max_context(table, true), 0, 99);
+    }
+    static const uint16_t pair[] = {1};
+    assert_int_equal(mt_max_context(one_lookup(2, pair, 1), false), 2);
+    assert_int_equal(mt_max_context(one_lookup(2, pair, 1), true), 1);
+    size_t length;
+    mt_font_data data = mt_sample_font(&arena);
+    data.extra_count = 1;
+    data.extras[0] = (mt_extra_table){MT_TAG('G', 'S', 'U', 'B'), one_lookup(4, ligature, 11)};
+    uint8_t *bytes = write_font(&data, &length);
+    assert_int_equal(mt_read_u16(mt_sample_table(bytes, "OS/2", NULL) + 94), 3);
     mt_bytes_free(bytes);
 }
 
@@ -418,14 +653,6 @@ static void names_that_are_missing(void **state) {
 /* ---- what is refused --------------------------------------------------------------------------------------
  */
 
-static void assert_refused(const mt_font_data *data, mt_status status) {
-    uint8_t *bytes = NULL;
-    size_t length = 77;
-    assert_int_equal(mt_font_write(data, &bytes, &length), status);
-    assert_null(bytes);
-    assert_int_equal(length, 77);
-}
-
 static void bad_numbers(void **state) {
     (void)state;
     static const int units[] = {15, 16385, 0, -1};
@@ -538,8 +765,16 @@ int main(void) {
         cmocka_unit_test(same_input_same_bytes),
         cmocka_unit_test(outlines_read_back),
         cmocka_unit_test(offsets_grow_long),
+        cmocka_unit_test(references_read_back),
+        cmocka_unit_test(bad_references),
+        cmocka_unit_test(references_are_only_so_deep),
         cmocka_unit_test(nothing_drawn),
         cmocka_unit_test(trailing_advances_are_shared),
+        cmocka_unit_test(vertical_metrics),
+        cmocka_unit_test(no_vertical_metrics),
+        cmocka_unit_test(smooth_at_every_size),
+        cmocka_unit_test(panose_tells_monospaced),
+        cmocka_unit_test(contexts_are_measured),
         cmocka_unit_test(figures_are_kept_in_range),
         cmocka_unit_test(coverage_is_told),
         cmocka_unit_test(characters_in_the_bmp),

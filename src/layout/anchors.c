@@ -1,0 +1,129 @@
+/* The anchors of two fonts, lookup by lookup of A's. */
+#include "layout/anchor_job.h"
+
+#include <stdlib.h>
+
+/* ---- the job ------------------------------------------------------------------------------------------- */
+
+enum { GLYPH_NUMBERS = 65536 };
+
+/* Lists the new glyphs by A's. */
+static mt_status index_glyphs(mt_anchor_job *job) {
+    int count = job->charset->glyph_count;
+    job->first = mt_arena_new(job->arena, GLYPH_NUMBERS + 1, sizeof *job->first);
+    job->new_of_a = mt_arena_new(job->arena, (size_t)count, sizeof *job->new_of_a);
+    uint32_t *next = mt_arena_new(&job->scratch, GLYPH_NUMBERS, sizeof *next);
+    if (!job->first || !job->new_of_a || !next) return MT_NO_MEMORY;
+    for (int i = 0; i < count; i++)
+        if (job->charset->glyphs[i].a < GLYPH_NUMBERS) job->first[job->charset->glyphs[i].a + 1]++;
+    for (int i = 0; i < GLYPH_NUMBERS; i++) {
+        next[i] = job->first[i];
+        job->first[i + 1] += job->first[i];
+    }
+    for (int i = 0; i < count; i++) {
+        uint32_t a = job->charset->glyphs[i].a;
+        if (a < GLYPH_NUMBERS) job->new_of_a[next[a]++] = (uint16_t)i;
+    }
+    return MT_OK;
+}
+
+bool mt_anchor_spend(mt_anchor_job *job, int64_t steps) {
+    job->steps = job->steps < steps ? 0 : job->steps - steps;
+    return job->steps > 0;
+}
+
+static int by_glyph(const void *p, const void *q) {
+    const mt_entry *x = p, *y = q;
+    return x->glyph - y->glyph;
+}
+
+mt_status mt_anchor_entries(mt_anchor_job *job, mt_bytes coverage, mt_entry **entries, int *count) {
+    mt_covered *covered;
+    int covered_count, all = 0, filled = 0;
+    mt_status status = mt_coverage_list(coverage, &job->scratch, &covered, &covered_count);
+    if (status != MT_OK) return status;
+    for (int i = 0; i < covered_count; i++)
+        all += (int)(job->first[covered[i].glyph + 1] - job->first[covered[i].glyph]);
+    if (!mt_anchor_spend(job, (int64_t)covered_count + all)) all = 0;
+    mt_entry *made = mt_arena_new(&job->scratch, (size_t)all + 1, sizeof *made);
+    if (!made) return MT_NO_MEMORY;
+    for (int i = 0; i < covered_count && filled < all; i++)
+        for (uint32_t j = job->first[covered[i].glyph]; j < job->first[covered[i].glyph + 1]; j++)
+            made[filled++] = (mt_entry){job->new_of_a[j], covered[i].index};
+    qsort(made, (size_t)filled, sizeof *made, by_glyph);
+    *entries = made;
+    *count = filled;
+    return MT_OK;
+}
+
+mt_anchor mt_anchor_mixed(const mt_anchor_job *job, mt_anchor_point in_a, mt_anchor_point in_b) {
+    double a = job->scale_a, b = job->scale_b;
+    return (mt_anchor){{{a * in_a.x, a * in_a.y}, {b * in_b.x, b * in_b.y}}};
+}
+
+uint32_t mt_anchor_partner(const mt_anchor_job *job, int glyph) {
+    return job->charset->glyphs[glyph].b;
+}
+
+/* ---- lookups ------------------------------------------------------------------------------------------- */
+
+/* A's lookup as it goes into the new font; one that is in no feature has nothing. */
+static mt_status blend_lookup(mt_anchor_job *job, int order, const mt_lookup *in_a, mt_anchor_lookup *made) {
+    mt_member *members;
+    mt_rivals rivals = {0};
+    made->head =
+        (mt_made_lookup){.order = order, .type = in_a->type, .flag = in_a->flag, .mark_set = in_a->mark_set};
+    mt_status status = mt_members_of(job->a->layout, order, job->arena, &members, &made->head.member_count);
+    if (status != MT_OK || made->head.member_count == 0) return status;
+    made->head.members = members;
+    mt_arena_reset(&job->scratch);
+    status = mt_systems_spread(job->systems, job->arena, &made->head);
+    if (status == MT_OK) status = mt_rivals_find(job, &made->head, &rivals);
+    mt_arena_place place = mt_arena_mark(&job->scratch);
+    for (int i = 0; i < in_a->subtable_count && status == MT_OK && mt_anchor_spend(job, 1); i++) {
+        mt_bytes subtable = mt_lookup_subtable(in_a, i);
+        if (in_a->type == MT_CURSIVE)
+            status = mt_cursive_blend(job, subtable, &rivals, made);
+        else
+            status = mt_attachment_blend(job, subtable, &rivals, made);
+        mt_arena_rewind(&job->scratch, place);
+    }
+    return status;
+}
+
+static mt_status blend_lookups(mt_anchor_job *job, mt_anchors *anchors) {
+    int lookup_count = job->a->layout->lookup_count;
+    anchors->lookups = mt_arena_new(job->arena, (size_t)lookup_count + 1, sizeof *anchors->lookups);
+    if (!anchors->lookups) return MT_NO_MEMORY;
+    for (int i = 0; i < lookup_count; i++) {
+        mt_lookup in_a = mt_layout_lookup(job->a->layout, i);
+        mt_anchor_lookup made = {0};
+        if (in_a.type < MT_CURSIVE || in_a.type > MT_MARK_TO_MARK || !mt_anchor_spend(job, 1)) continue;
+        mt_status status = blend_lookup(job, i, &in_a, &made);
+        if (status != MT_OK) return status;
+        if (made.attachment_count || made.cursive_count) anchors->lookups[anchors->count++] = made;
+    }
+    return MT_OK;
+}
+
+mt_status mt_anchors_prepare(const mt_anchor_source *a, const mt_anchor_source *b, const mt_systems *systems,
+                             const mt_charset *charset, int units, mt_arena *arena, mt_anchors *anchors) {
+    mt_anchor_job job = {
+        .a = a,
+        .b = b,
+        .scale_a = (double)units / mt_font_units(a->font),
+        .scale_b = (double)units / mt_font_units(b->font),
+        .systems = systems,
+        .charset = charset,
+        .arena = arena,
+        .steps = MT_ANCHOR_STEPS_MAX,
+    };
+    mt_anchors made = {0};
+    mt_status status = index_glyphs(&job);
+    if (status == MT_OK) status = mt_outline_moves_open(a->font, b->font, charset, units, arena, &job.moves);
+    if (status == MT_OK) status = blend_lookups(&job, &made);
+    mt_arena_release(&job.scratch);
+    mt_arena_release(&job.moves.scratch);
+    if (status == MT_OK) *anchors = made;
+    return status;
+}

@@ -1,0 +1,18 @@
+/* A's GSUB and GDEF for a font of some of its glyphs. */
+#ifndef MT_GSUB_SUBSET_H
+#define MT_GSUB_SUBSET_H
+
+#include "geometry/memory.h"
+#include "font/font.h"
+
+typedef struct mt_layout_tables {
+    mt_bytes gsub, gdef; /* in the arena; empty where there is none */
+} mt_layout_tables;
+
+/* Prunes the font's GSUB and GDEF to the `count` glyphs `kept`, ascending, .notdef first, which get the numbers from 0 on.
+ * What GDEF says of contour points, of places on axes and of the carets of ligatures is left out. There is no GSUB
+ * when the glyphs that it leads to cannot be held apart from the rest. MT_NO_MEMORY. */
+mt_status mt_gsub_subset(const mt_font *font, const uint16_t *kept, int count, mt_arena *arena,
+                         mt_layout_tables *tables);
+
+#endif

@@ -1,0 +1,34 @@
+/* What mt_positions holds; shared by the files that prepare, write and tell of positions. */
+#ifndef MT_POSITION_DATA_H
+#define MT_POSITION_DATA_H
+
+#include "layout/anchor.h"
+#include "layout/feature_jobs.h"
+#include "layout/pairs.h"
+#include "layout/positions.h"
+#include "layout/singles.h"
+
+/* Pair adjustment that is to be lookups: mostly one. Where the two fonts' classes together would be too many, each
+ * font's own is one, and what they give adds up. */
+typedef struct mt_pair_position {
+    mt_made_lookup head; /* without subtables */
+    int count;
+    mt_pairs pairs[2];
+} mt_pair_position;
+
+typedef struct mt_single_position {
+    mt_made_lookup head;
+    mt_singles singles;
+} mt_single_position;
+
+struct mt_positions {
+    mt_systems systems;
+    int pair_count, single_count;
+    mt_pair_position *pairs;
+    mt_single_position *singles;
+    bool has_plain_kerning;
+    mt_pairs plain_kerning; /* all of the kern feature that Latin text is set by, whatever the flags */
+    mt_anchors anchors;
+};
+
+#endif

@@ -1,0 +1,119 @@
+#include "layout/systems.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "font/sfnt.h"
+
+/* ---- what a system has --------------------------------------------------------------------------------- */
+
+bool mt_system_has_feature(const mt_layout *layout, int system, uint32_t tag) {
+    if (system < 0) return false;
+    const mt_system *s = &layout->systems[system];
+    for (int i = 0; i <= s->feature_count; i++) {
+        int feature = mt_system_feature(layout, s, i);
+        if (feature >= 0 && mt_feature_tag(layout, feature) == tag) return true;
+    }
+    return false;
+}
+
+/* Puts a number into its place among ascending ones, unless it is there. */
+static int insert(int *numbers, int count, int room, int number) {
+    int at = count;
+    while (at > 0 && numbers[at - 1] > number) at--;
+    if (count == room || (at > 0 && numbers[at - 1] == number)) return count;
+    memmove(numbers + at + 1, numbers + at, (size_t)(count - at) * sizeof *numbers);
+    numbers[at] = number;
+    return count + 1;
+}
+
+int mt_system_lookups(const mt_layout *layout, int system, uint32_t tag, int type, int *lookups, int room) {
+    int count = 0;
+    if (system < 0) return 0;
+    const mt_system *s = &layout->systems[system];
+    for (int i = 0; i <= s->feature_count; i++) {
+        int feature = mt_system_feature(layout, s, i);
+        if (feature < 0 || mt_feature_tag(layout, feature) != tag) continue;
+        int all = mt_feature_lookup_count(layout, feature);
+        for (int k = 0; k < all; k++) {
+            int lookup = mt_feature_lookup(layout, feature, k);
+            if (lookup < 0 || mt_layout_lookup(layout, lookup).type != type) continue;
+            count = insert(lookups, count, room, lookup);
+        }
+    }
+    return count;
+}
+
+/* ---- the list ------------------------------------------------------------------------------------------ */
+
+/* Whether two systems of B have the same pair adjustment. */
+static bool kern_alike(const mt_layout *b, int one, int other) {
+    static const uint32_t tags[] = {MT_TAG('k', 'e', 'r', 'n'), MT_TAG('v', 'k', 'r', 'n'),
+                                    MT_TAG('d', 'i', 's', 't')};
+    int in_one[MT_SYSTEM_LOOKUPS_MAX], in_other[MT_SYSTEM_LOOKUPS_MAX];
+    /* Without the feature, the 'kern' table would stand for it. */
+    if (mt_system_has_feature(b, one, tags[0]) != mt_system_has_feature(b, other, tags[0])) return false;
+    for (int i = 0; i < 3; i++) {
+        int count = mt_system_lookups(b, one, tags[i], 2, in_one, MT_SYSTEM_LOOKUPS_MAX);
+        int others = mt_system_lookups(b, other, tags[i], 2, in_other, MT_SYSTEM_LOOKUPS_MAX);
+        if (count != others || memcmp(in_one, in_other, (size_t)count * sizeof *in_one) != 0) return false;
+    }
+    return true;
+}
+
+static bool is_listed(const mt_systems *systems, uint32_t script, uint32_t language) {
+    for (int i = 0; i < systems->count; i++)
+        if (systems->list[i].script == script && systems->list[i].language == language) return true;
+    return false;
+}
+
+static void add_those_of_b(const mt_layout *a, const mt_layout *b, mt_systems *systems) {
+    int count = systems->count;
+    for (int i = 0; i < b->system_count; i++) {
+        const mt_system *system = &b->systems[i];
+        int in_a = mt_layout_system(a, system->script, system->language);
+        if (in_a >= 0 && kern_alike(b, i, systems->list[in_a].b)) continue;
+        if (is_listed(systems, system->script, system->language)) continue;
+        systems->list[count++] = (mt_shared_system){system->script, system->language, in_a, i};
+    }
+    systems->count = count;
+}
+
+static void add_plain_ones(mt_systems *systems) {
+    static const uint32_t scripts[] = {MT_TAG('D', 'F', 'L', 'T'), MT_TAG('c', 'y', 'r', 'l'),
+                                       MT_TAG('g', 'r', 'e', 'k'), MT_TAG('l', 'a', 't', 'n')};
+    for (int i = 0; i < 4; i++)
+        systems->list[i] = (mt_shared_system){scripts[i], MT_LANGUAGE_DEFAULT, -1, -1};
+    systems->count = 4;
+}
+
+mt_status mt_systems_make(const mt_layout *a, const mt_layout *b, mt_arena *arena, mt_systems *systems) {
+    size_t room = (size_t)a->system_count + (size_t)b->system_count + 4;
+    mt_systems made = {.count = a->system_count};
+    made.list = mt_arena_new(arena, room, sizeof *made.list);
+    if (!made.list) return MT_NO_MEMORY;
+    for (int i = 0; i < a->system_count; i++) {
+        const mt_system *system = &a->systems[i];
+        made.list[i] = (mt_shared_system){system->script, system->language, i,
+                                          mt_layout_system(b, system->script, system->language)};
+    }
+    add_those_of_b(a, b, &made);
+    if (made.count == 0) add_plain_ones(&made);
+    *systems = made;
+    return MT_OK;
+}
+
+mt_status mt_systems_spread(const mt_systems *systems, mt_arena *arena, mt_made_lookup *lookup) {
+    int count = lookup->member_count, all = 0, made = 0;
+    for (int i = 0; i < count; i++)
+        for (int s = 0; s < systems->count; s++) all += systems->list[s].a == lookup->members[i].system;
+    mt_member *members = mt_arena_new(arena, (size_t)all + 1, sizeof *members);
+    if (!members) return MT_NO_MEMORY;
+    for (int i = 0; i < count; i++)
+        for (int s = 0; s < systems->count; s++)
+            if (systems->list[s].a == lookup->members[i].system)
+                members[made++] = (mt_member){s, lookup->members[i].feature};
+    lookup->members = members;
+    lookup->member_count = made;
+    return MT_OK;
+}

@@ -1,0 +1,58 @@
+"""Text shaped by HarfBuzz, whose library the program itself needs."""
+
+import ctypes
+import os
+
+LIBRARY = ctypes.CDLL('libharfbuzz.so.0')
+
+
+class Info(ctypes.Structure):
+    """hb_glyph_info_t"""
+    _fields_ = [('glyph', ctypes.c_uint32), ('mask', ctypes.c_uint32), ('cluster', ctypes.c_uint32),
+                ('private', ctypes.c_uint32 * 2)]
+
+
+class Position(ctypes.Structure):
+    """hb_glyph_position_t"""
+    _fields_ = [('x_advance', ctypes.c_int32), ('y_advance', ctypes.c_int32), ('x_offset', ctypes.c_int32),
+                ('y_offset', ctypes.c_int32), ('private', ctypes.c_uint32)]
+
+
+def function(name, result, *arguments):
+    found = getattr(LIBRARY, name)
+    found.restype, found.argtypes = result, arguments
+    return found
+
+
+POINTER, LENGTH = ctypes.c_void_p, ctypes.POINTER(ctypes.c_uint)
+blob_create = function('hb_blob_create_from_file', POINTER, ctypes.c_char_p)
+blob_destroy = function('hb_blob_destroy', None, POINTER)
+face_create = function('hb_face_create', POINTER, POINTER, ctypes.c_uint)
+face_destroy = function('hb_face_destroy', None, POINTER)
+font_create = function('hb_font_create', POINTER, POINTER)
+font_destroy = function('hb_font_destroy', None, POINTER)
+buffer_create = function('hb_buffer_create', POINTER)
+buffer_destroy = function('hb_buffer_destroy', None, POINTER)
+buffer_add = function('hb_buffer_add_utf8', None, POINTER, ctypes.c_char_p, ctypes.c_int, ctypes.c_uint, ctypes.c_int)
+buffer_guess = function('hb_buffer_guess_segment_properties', None, POINTER)
+buffer_infos = function('hb_buffer_get_glyph_infos', ctypes.POINTER(Info), POINTER, LENGTH)
+buffer_positions = function('hb_buffer_get_glyph_positions', ctypes.POINTER(Position), POINTER, LENGTH)
+shape_buffer = function('hb_shape', None, POINTER, POINTER, POINTER, ctypes.c_uint)
+
+
+def shape(path, text):
+    """The glyphs of a line of text, left to right, as (number, advance, x offset, y offset) in font units."""
+    blob = blob_create(os.fsencode(path))
+    face = face_create(blob, 0)
+    font = font_create(face)
+    line = buffer_create()
+    buffer_add(line, text.encode(), -1, 0, -1)
+    buffer_guess(line)
+    shape_buffer(font, line, None, 0)
+    count = ctypes.c_uint()
+    infos, positions = buffer_infos(line, ctypes.byref(count)), buffer_positions(line, ctypes.byref(count))
+    shaped = [(infos[i].glyph, positions[i].x_advance, positions[i].x_offset, positions[i].y_offset)
+              for i in range(count.value)]
+    for destroy, what in ((buffer_destroy, line), (font_destroy, font), (face_destroy, face), (blob_destroy, blob)):
+        destroy(what)
+    return shaped
