@@ -120,7 +120,7 @@ static void compare(const mt_pair *pair, hb_font_t *made, double t, hb_script_t 
                     int count, mt_tally *tally) {
     if (!all_mapped(pair, text, count)) return;
     int last = count - 1;
-    double ax, ay, bx, by, x, y;
+    double ax, ay, bx = 0, by = 0, x, y;
     mt_shaped a = mt_shape_text(pair->a.shaping, script, text, count);
     mt_shaped b = mt_shape_text(pair->b.shaping, script, text, count);
     mt_shaped m = mt_shape_text(made, script, text, count);
