@@ -223,6 +223,7 @@ static void vertical(void **state) {
         {.text = "「你好，世界。」（ー）", .vertical = true, .language = "zh-cn", .changed = 5},
         {.text = "「你好，世界。」", .language = "zh-cn"},
         {.text = "骨直角", .language = "ja", .changed = 2},
+        {.text = "렁·・", .language = "ko", .changed = 2}, /* one glyph in A, two in B */
         {.text = "、\uFE01。\uFE00礼\uFE00！\uFE01", .changed = 3},
     };
     mt_font *a = mt_test_font(NOTO "NotoSansCJK-Bold.ttc"),
@@ -278,6 +279,7 @@ static hb_font_t *open_blank(mt_font *a, hb_font_t *in_a, const mt_charset *char
     data.char_count = charset->char_count;
     data.chars = charset->chars;
     mt_assert_ok(mt_gsub_subset(a, kept, charset->primary_count, &arena, &tables));
+    mt_assert_ok(mt_charset_twins(charset, &arena, &tables));
     data.extras[data.extra_count++] = (mt_extra_table){MT_TAG('G', 'S', 'U', 'B'), tables.gsub};
     if (tables.gdef.length)
         data.extras[data.extra_count++] = (mt_extra_table){MT_TAG('G', 'D', 'E', 'F'), tables.gdef};
