@@ -20,7 +20,7 @@ mt_status mt_save_check(const char *path);
 /* Called with each font once all glyphs are blended, in the order of T. */
 typedef mt_status (*mt_font_ready)(const mt_font_data *data, int index, void *user);
 
-/* blend.c: makes fonts at `count` places and hands them to `ready`, which may end the run with its status. */
+/* blend_make.c: makes fonts at `count` places and hands them to `ready`, which may end the run with its status. */
 mt_status mt_blend_make(mt_blend *blend, const double *t, int count, mt_font_ready ready, void *user);
 
 typedef struct mt_saving {

@@ -46,12 +46,30 @@ static mt_status write_layers(mt_folder *folder) {
     return save(folder, "layercontents.plist", &xml);
 }
 
-static mt_status write_lib(const mt_ufo_glyphs *glyphs, int count, mt_folder *folder) {
+/* Glyphs of characters with a variation selector after them, also where they are the character's own, by selector. */
+static void put_variants(const mt_font_data *data, const mt_ufo_glyphs *glyphs, mt_xml *xml) {
+    mt_plist_group(xml, "public.unicodeVariationSequences", "dict");
+    for (int i = 0; i < data->variant_count; i++) {
+        const mt_char_variant *variant = &data->variants[i];
+        char selector[16], character[16];
+        snprintf(selector, sizeof selector, "%04X", (unsigned)variant->selector);
+        snprintf(character, sizeof character, "%04X", (unsigned)variant->code_point);
+        bool first = i == 0 || variant[-1].selector != variant->selector;
+        bool last = i == data->variant_count - 1 || variant[1].selector != variant->selector;
+        if (first) mt_plist_group(xml, selector, "dict");
+        mt_plist_string(xml, character, glyphs->names[variant->glyph]);
+        if (last) mt_xml_close(xml);
+    }
+    mt_xml_close(xml);
+}
+
+static mt_status write_lib(const mt_font_data *data, const mt_ufo_glyphs *glyphs, mt_folder *folder) {
     mt_xml xml = mt_xml_begin();
     mt_plist_open(&xml, "dict");
     mt_plist_group(&xml, "public.glyphOrder", "array");
-    for (int i = 0; i < count; i++) mt_plist_string(&xml, NULL, glyphs->names[i]);
+    for (int i = 0; i < data->glyph_count; i++) mt_plist_string(&xml, NULL, glyphs->names[i]);
     mt_xml_close(&xml);
+    if (data->variant_count) put_variants(data, glyphs, &xml);
     mt_plist_close(&xml);
     return save(folder, "lib.plist", &xml);
 }
@@ -118,7 +136,7 @@ mt_status mt_ufo_write(const mt_font_data *data, mt_folder *folder) {
     if (status == MT_OK) status = write_meta(folder);
     if (status == MT_OK) status = write_info(data, folder);
     if (status == MT_OK) status = write_layers(folder);
-    if (status == MT_OK) status = write_lib(&glyphs, data->glyph_count, folder);
+    if (status == MT_OK) status = write_lib(data, &glyphs, folder);
     if (status == MT_OK) status = write_kerning(data->kerning, &glyphs, &arena, folder);
     if (status == MT_OK) status = write_glyphs(data, &glyphs, &arena, folder);
     mt_arena_release(&arena);

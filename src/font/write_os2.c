@@ -3,7 +3,9 @@
 
 #include <string.h>
 
+#include "font/max_context.h"
 #include "panose.h"
+#include "sfnt.h"
 
 /* The mean of the advances that are not zero. */
 static double mean_advance(const mt_font_data *data) {
@@ -59,13 +61,25 @@ static void write_lines(const mt_metrics *metrics, mt_table *table) {
     mt_table_u16_of(table, metrics->win_descent);
 }
 
+static int max_context(const mt_font_data *data) {
+    int most = 0;
+    for (int i = 0; i < data->extra_count; i++) {
+        const mt_extra_table *extra = &data->extras[i];
+        bool substitution = extra->tag == MT_TAG('G', 'S', 'U', 'B');
+        if (!substitution && extra->tag != MT_TAG('G', 'P', 'O', 'S')) continue;
+        int found = mt_max_context(extra->data, substitution);
+        if (found > most) most = found;
+    }
+    return most;
+}
+
 /* What version 2 added to the end of the table. */
 static void write_heights(const mt_font_data *data, mt_table *table) {
     mt_table_i16_of(table, data->metrics.x_height);
     mt_table_i16_of(table, data->metrics.cap_height);
     mt_table_16(table, 0); /* usDefaultChar: .notdef */
     mt_table_16(table, mt_has_char(data->chars, data->char_count, ' ') ? ' ' : 0); /* usBreakChar */
-    mt_table_16(table, 0);                                                         /* usMaxContext */
+    mt_table_16(table, max_context(data));
 }
 
 void mt_write_os2(const mt_font_data *data, const mt_summary *summary, mt_table *table) {

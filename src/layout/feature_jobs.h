@@ -31,7 +31,7 @@ typedef struct mt_feature_source {
     bool kern_table; /* it has one that kerns */
 } mt_feature_source;
 
-enum { MT_FEATURE_JOBS_MAX = 256 }; /* more are left out: fonts have some ten */
+enum { MT_FEATURE_JOBS_MAX = 64 }; /* more are left out: fonts have some ten */
 
 /* The jobs for lookups of `type`: of every feature of A's that has any; and, of pairs, of B's kern, vkrn and dist.
  * Where a font has no kern feature for a system, its 'kern' table stands for it. A feature's lookups with other flags

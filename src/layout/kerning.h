@@ -25,9 +25,8 @@ typedef struct mt_kerning {
     const mt_kerning_pair *pairs;
 } mt_kerning;
 
-/* The kerning at t (0 … 1) of the script that text in Latin is set by; empty where neither font kerns, or where their classes
- * together are too many (MT_PAIR_CELLS_MAX). It belongs to
- * the arena. MT_NO_MEMORY. */
+/* The kerning at t (0 … 1) of the script that text in Latin is set by; empty where neither font kerns, or where
+ * their classes together are too many (MT_PAIR_CELLS_MAX). It belongs to the arena. MT_NO_MEMORY. */
 mt_status mt_positions_kerning(const mt_positions *positions, double t, mt_arena *arena, mt_kerning *kerning);
 
 #endif

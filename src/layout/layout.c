@@ -75,13 +75,14 @@ static int find_system(const mt_layout *layout, uint32_t script, uint32_t langua
 }
 
 int mt_layout_system(const mt_layout *layout, uint32_t script, uint32_t language) {
-    uint32_t scripts[] = {script, MT_TAG('D', 'F', 'L', 'T'), MT_TAG('l', 'a', 't', 'n')};
-    for (int i = 0; i < 3; i++) {
+    uint32_t scripts[] = {script, MT_TAG('D', 'F', 'L', 'T'), MT_TAG('d', 'f', 'l', 't'),
+                          MT_TAG('l', 'a', 't', 'n')};
+    for (int i = 0; i < 4; i++) {
         int found = find_system(layout, scripts[i], language);
         if (found < 0) found = find_system(layout, scripts[i], MT_LANGUAGE_DEFAULT);
         if (found >= 0) return found;
     }
-    return layout->system_count == 1 ? 0 : -1;
+    return -1;
 }
 
 /* ---- features ------------------------------------------------------------------------------------------ */
@@ -114,15 +115,6 @@ bool mt_feature_has(const mt_layout *layout, int feature, int lookup) {
     int count = mt_feature_lookup_count(layout, feature);
     for (int i = 0; i < count; i++)
         if (mt_feature_lookup(layout, feature, i) == lookup) return true;
-    return false;
-}
-
-bool mt_system_has(const mt_layout *layout, const mt_system *system, uint32_t tag, int lookup) {
-    for (int i = 0; i <= system->feature_count; i++) {
-        int feature = mt_system_feature(layout, system, i);
-        if (feature >= 0 && mt_feature_tag(layout, feature) == tag && mt_feature_has(layout, feature, lookup))
-            return true;
-    }
     return false;
 }
 

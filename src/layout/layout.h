@@ -26,12 +26,12 @@ typedef struct mt_layout {
     mt_bytes features, lookups; /* FeatureList, LookupList */
 } mt_layout;
 
-/* An empty or malformed table, or one with thousands of systems or lookups, has none at all. `extension` is the type of the table's extension lookups.
- * MT_NO_MEMORY. */
+/* An empty or malformed table, or one with thousands of systems or lookups, has none at all. `extension` is the type of
+ * the table's extension lookups. MT_NO_MEMORY. */
 mt_status mt_layout_open(mt_bytes table, int extension, mt_arena *arena, mt_layout *layout);
 
-/* The index of the system for a script and language: that of both, else the script's default, else that of DFLT,
- * else of latn (the language's own before the default in each), else the only one; -1 when there is none of these. */
+/* The index of the system for a script and language: that of both, else the script's default, else that of DFLT, dflt
+ * or latn (the language's own before the default in each), as HarfBuzz chooses it; -1 when there is none of these. */
 int mt_layout_system(const mt_layout *layout, uint32_t script, uint32_t language);
 
 /* The i-th feature of a system is an index into the FeatureList; -1 for an index that is out of range.
@@ -42,13 +42,7 @@ int mt_feature_lookup_count(const mt_layout *layout, int feature);
 int mt_feature_lookup(const mt_layout *layout, int feature, int i); /* -1 when it is out of range */
 bool mt_feature_has(const mt_layout *layout, int feature, int lookup);
 
-/* Whether the system applies the lookup for features of that tag. */
-bool mt_system_has(const mt_layout *layout, const mt_system *system, uint32_t tag, int lookup);
-
-enum {
-    MT_LOOKUP_RIGHT_TO_LEFT = 0x0001,
-    MT_LOOKUP_MARK_SET = 0x0010,
-};
+#define MT_LOOKUP_MARK_SET 0x0010 /* the flag that a lookup has a mark glyph set */
 
 typedef struct mt_lookup {
     int type; /* of the subtables; an extension's where it is one; 0 for a malformed lookup */

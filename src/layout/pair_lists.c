@@ -32,7 +32,6 @@ static mt_status find_new_glyphs(const mt_pair_side *side, int glyph_count, mt_a
 typedef struct mt_pair_keys {
     uint32_t *keys; /* left << 16 | right */
     size_t count, room;
-    int64_t steps; /* pairs looked at */
 } mt_pair_keys;
 
 static mt_status add_key(mt_pair_keys *keys, uint32_t key) {
@@ -56,8 +55,7 @@ static mt_status add_left(const mt_pair_side *side, const mt_new_glyphs *glyphs,
         const mt_pair_subtable *subtable = &side->source->subtables[i];
         int row = mt_pair_is_listed(subtable) ? mt_pair_row(subtable, glyph) : -1;
         int count = row < 0 ? 0 : mt_pair_listed_count(subtable, row, glyph);
-        keys->steps += count;
-        if (keys->steps > MT_PAIR_STEPS_MAX) return MT_TOO_LARGE;
+        if (!mt_pair_spend(side->steps, count)) return MT_TOO_LARGE;
         for (int k = 0; k < count; k++) {
             uint32_t right = mt_pair_listed(subtable, row, glyph, k);
             for (int n = glyphs->first[right]; n < glyphs->first[right + 1] && status == MT_OK; n++)
@@ -160,6 +158,9 @@ mt_status mt_pairs_list(const mt_pair_side sides[2], mt_arena *arena, mt_pairs *
     mt_arena scratch = {0};
     mt_pair_keys keys = {0};
     mt_status status = collect_keys(sides, pairs, &scratch, &keys);
+    int64_t subtables = sides[0].source->count + sides[1].source->count;
+    if (status == MT_OK && !mt_pair_spend(sides[0].steps, (int64_t)keys.count * subtables))
+        status = MT_TOO_LARGE;
     if (status == MT_OK) status = keep_pairs(sides, &keys, &scratch, arena, pairs);
     mt_free(keys.keys);
     mt_arena_release(&scratch);

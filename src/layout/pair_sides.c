@@ -1,5 +1,10 @@
 #include "layout/pair_sides.h"
 
+bool mt_pair_spend(int64_t *steps, int64_t count) {
+    *steps = *steps > count ? *steps - count : 0;
+    return *steps > 0;
+}
+
 /* A glyph's rows, or columns, in all subtables; -1 in lists, which make no classes. */
 static void find_places(const mt_pair_source *source, uint32_t glyph, bool right, int32_t *places) {
     for (int i = 0; i < source->count; i++) {
@@ -25,11 +30,13 @@ static mt_status sort(const mt_pair_side *side, int glyph_count, bool right, int
 }
 
 mt_status mt_pair_side_sort(const mt_pair_source *source, const uint32_t *glyph_of, int glyph_count,
-                            mt_arena *arena, mt_pair_side *side) {
+                            int64_t *steps, mt_arena *arena, mt_pair_side *side) {
     *side = (mt_pair_side){.source = source,
                            .glyph_of = glyph_of,
+                           .steps = steps,
                            .left = {.width = source->count},
                            .right = {.width = source->count}};
+    if (!mt_pair_spend(steps, 2 * (int64_t)glyph_count * source->count)) return MT_TOO_LARGE;
     side->left_of = mt_arena_new(arena, (size_t)glyph_count, sizeof *side->left_of);
     side->right_of = mt_arena_new(arena, (size_t)glyph_count, sizeof *side->right_of);
     int32_t *places = mt_arena_new(arena, (size_t)source->count + 1, sizeof *places);
@@ -47,7 +54,8 @@ mt_status mt_pair_side_values(const mt_pair_side *side, const mt_pairs *pairs, m
                               mt_pair_matrix *matrix) {
     int rows = side->left.count, columns = side->right.count;
     int64_t cells = (int64_t)rows * columns;
-    if (cells > MT_PAIR_CELLS_MAX || cells * side->source->count > MT_PAIR_STEPS_MAX) return MT_TOO_LARGE;
+    if (cells > MT_PAIR_CELLS_MAX || !mt_pair_spend(side->steps, cells * side->source->count))
+        return MT_TOO_LARGE;
     size_t count = (size_t)pairs->part_count;
     double *values = mt_arena_new(arena, (size_t)cells * count + 1, sizeof *values), *value = values;
     if (!values) return MT_NO_MEMORY;

@@ -58,25 +58,24 @@ static mt_status prepare(mt_pair_side sides[2], int most, mt_arena *arena, mt_pa
     mt_status status = make_classes(sides[0].left_of, sides[1].left_of, count, arena, &pairs->left);
     if (status == MT_OK)
         status = make_classes(sides[0].right_of, sides[1].right_of, count, arena, &pairs->right);
+    int64_t cells = (int64_t)pairs->left.count * pairs->right.count;
+    if (status == MT_OK && cells > most) return MT_TOO_LARGE;
     for (int s = 0; s < 2 && status == MT_OK; s++)
         status = mt_pair_side_values(&sides[s], pairs, arena, &pairs->ends[s]);
-    if (status != MT_OK) return status;
-    int64_t cells = (int64_t)pairs->left.count * pairs->right.count;
-    return cells > most ? MT_TOO_LARGE : mt_pairs_list(sides, arena, pairs);
+    return status == MT_OK ? mt_pairs_list(sides, arena, pairs) : status;
 }
 
 mt_status mt_pairs_prepare(const mt_pair_source *a, const mt_pair_source *b, const mt_charset *charset,
-                           int most, mt_arena *arena, mt_pairs *pairs) {
+                           int most, int64_t *steps, mt_arena *arena, mt_pairs *pairs) {
     const mt_pair_source *sources[] = {a, b};
     mt_arena scratch = {0};
     mt_pair_side sides[2] = {0};
     mt_pairs made = {.glyph_count = charset->glyph_count};
     uint32_t *glyph_of[2];
-    if ((int64_t)made.glyph_count * (a->count + b->count) > MT_PAIR_STEPS_MAX) return MT_TOO_LARGE;
     find_parts(a, b, &made);
     mt_status status = find_glyphs(charset, &scratch, glyph_of);
     for (int s = 0; s < 2 && status == MT_OK; s++)
-        status = mt_pair_side_sort(sources[s], glyph_of[s], made.glyph_count, &scratch, &sides[s]);
+        status = mt_pair_side_sort(sources[s], glyph_of[s], made.glyph_count, steps, &scratch, &sides[s]);
     if (status == MT_OK) status = prepare(sides, most, arena, &made);
     for (int s = 0; s < 2; s++) mt_pair_side_free(&sides[s]);
     mt_arena_release(&scratch);

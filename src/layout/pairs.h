@@ -42,13 +42,14 @@ typedef struct mt_pairs {
     double *listed_values;  /* of A and of B in turn, part_count each */
 } mt_pairs;
 
-/* The most that a pair of fonts may cost: cells of a matrix, pairs listed, glyphs looked up in subtables. A malformed
- * font can ask for any number; the largest fonts take a tenth. */
-enum { MT_PAIR_CELLS_MAX = 1 << 22, MT_PAIRS_LISTED_MAX = 1 << 22, MT_PAIR_STEPS_MAX = 1 << 27 };
+/* The most that pairs may come to: cells of a matrix, and pairs listed; and what all of two fonts' pairs may cost, in steps
+ * (a glyph looked up in a subtable, a pair read). A malformed font can ask for any number; the largest fonts take a
+ * tenth. */
+enum { MT_PAIR_CELLS_MAX = 1 << 22, MT_PAIRS_LISTED_MAX = 1 << 20, MT_PAIR_STEPS_MAX = 1 << 26 };
 
-/* `most` is how many cells the new classes may make, MT_PAIR_CELLS_MAX at most. MT_TOO_LARGE for more than that or for
- * what costs too much, MT_NO_MEMORY. */
+/* `most` is how many cells the new classes may make, MT_PAIR_CELLS_MAX at most; `steps` is what is left of the steps, and
+ * is taken from. MT_TOO_LARGE for more than that, MT_NO_MEMORY. */
 mt_status mt_pairs_prepare(const mt_pair_source *a, const mt_pair_source *b, const mt_charset *charset,
-                           int most, mt_arena *arena, mt_pairs *pairs);
+                           int most, int64_t *steps, mt_arena *arena, mt_pairs *pairs);
 
 #endif

@@ -34,7 +34,8 @@ typedef struct mt_position_job {
     mt_feature_source features[2];
     const mt_charset *charset;
     mt_arena *arena;
-    mt_arena scratch; /* of the tables, and what is read of them */
+    mt_arena scratch;   /* of the tables, and what is read of them */
+    int64_t pair_steps; /* that are left */
     mt_positions *positions;
 } mt_position_job;
 
@@ -62,7 +63,8 @@ static mt_status prepare_apart(const mt_pair_source own[2], mt_position_job *job
     mt_status status = MT_OK;
     for (int s = 0; s < 2 && status == MT_OK; s++) {
         status = mt_pairs_prepare(s == 0 ? &own[0] : &none, s == 1 ? &own[1] : &none, job->charset,
-                                  MT_PAIR_CELLS_MAX, job->arena, &position->pairs[position->count]);
+                                  MT_PAIR_CELLS_MAX, &job->pair_steps, job->arena,
+                                  &position->pairs[position->count]);
         if (status == MT_OK) position->count++;
         if (status == MT_TOO_LARGE) status = MT_OK;
     }
@@ -77,8 +79,8 @@ static mt_status prepare_pairs(mt_position_job *job, const mt_feature_job *featu
     *position = (mt_pair_position){.head = feature->head};
     mt_status status = pair_sources(job, feature, own);
     if (status == MT_OK)
-        status =
-            mt_pairs_prepare(&own[0], &own[1], job->charset, TOGETHER_MAX, job->arena, &position->pairs[0]);
+        status = mt_pairs_prepare(&own[0], &own[1], job->charset, TOGETHER_MAX, &job->pair_steps, job->arena,
+                                  &position->pairs[0]);
     position->count = status == MT_OK;
     return status == MT_TOO_LARGE ? prepare_apart(own, job, position) : status;
 }
@@ -116,8 +118,8 @@ static mt_status prepare_plain_kerning(mt_position_job *job) {
                              MT_TAG('k', 'e', 'r', 'n'), MT_LOOKUP_PAIR, job->arena, &feature);
     if (status == MT_OK) status = pair_sources(job, &feature, own);
     if (status == MT_OK)
-        status = mt_pairs_prepare(&own[0], &own[1], job->charset, MT_PAIR_CELLS_MAX, job->arena,
-                                  &positions->plain_kerning);
+        status = mt_pairs_prepare(&own[0], &own[1], job->charset, MT_PAIR_CELLS_MAX, &job->pair_steps,
+                                  job->arena, &positions->plain_kerning);
     positions->has_plain_kerning = status == MT_OK;
     return status == MT_TOO_LARGE ? MT_OK : status;
 }
@@ -180,7 +182,7 @@ static mt_status prepare(mt_position_job *job, mt_font *fonts[2], int units) {
 mt_status mt_positions_prepare(mt_font *a, mt_font *b, const mt_charset *charset, int units, mt_arena *arena,
                                mt_positions **positions) {
     mt_font *fonts[] = {a, b};
-    mt_position_job job = {.charset = charset, .arena = arena};
+    mt_position_job job = {.charset = charset, .arena = arena, .pair_steps = MT_PAIR_STEPS_MAX};
     job.positions = mt_arena_new(arena, 1, sizeof *job.positions);
     if (!job.positions) return MT_NO_MEMORY;
     mt_status status = prepare(&job, fonts, units);

@@ -6,7 +6,7 @@
 
 /* ---- reading ------------------------------------------------------------------------------------------- */
 
-enum { STEPS_MAX = 1 << 27 }; /* glyphs looked up in subtables */
+enum { STEPS_MAX = 1 << 25 }; /* glyphs looked up in subtables */
 
 static bool subtable_value(mt_bytes subtable, const mt_variations *variations, uint32_t glyph,
                            double values[MT_VALUE_PARTS]) {

@@ -51,6 +51,8 @@ static bool kern_alike(const mt_layout *b, int one, int other) {
     static const uint32_t tags[] = {MT_TAG('k', 'e', 'r', 'n'), MT_TAG('v', 'k', 'r', 'n'),
                                     MT_TAG('d', 'i', 's', 't')};
     int in_one[MT_SYSTEM_LOOKUPS_MAX], in_other[MT_SYSTEM_LOOKUPS_MAX];
+    /* Without the feature, the 'kern' table would stand for it. */
+    if (mt_system_has_feature(b, one, tags[0]) != mt_system_has_feature(b, other, tags[0])) return false;
     for (int i = 0; i < 3; i++) {
         int count = mt_system_lookups(b, one, tags[i], 2, in_one, MT_SYSTEM_LOOKUPS_MAX);
         int others = mt_system_lookups(b, other, tags[i], 2, in_other, MT_SYSTEM_LOOKUPS_MAX);

@@ -4,6 +4,7 @@ import subprocess
 
 import cli
 from fontTools import ttLib
+from fontTools.otlLib.maxContextCalc import maxCtxFont
 
 
 def read(spec):
@@ -54,6 +55,13 @@ class Lines(Test):
         glyphs = [font['glyf'][name] for name in font.getGlyphOrder() if font['glyf'][name].numberOfContours]
         self.assertEqual(font['head'].yMax, max(glyph.yMax for glyph in glyphs))
         self.assertEqual(font['hhea'].advanceWidthMax, max(width for width, _ in font['hmtx'].metrics.values()))
+
+    def test_longest_context(self):
+        chars = self.write('chars', 'U+0020-017F')
+        for a, b in ((cli.SANS_BOLD, cli.SERIF), (cli.INTER, cli.SERIF)):
+            font = self.blend(a, b, '--chars', chars)
+            self.assertEqual(font['OS/2'].usMaxContext, maxCtxFont(font))
+            self.assertGreater(font['OS/2'].usMaxContext, 1)
 
     def test_smooth_and_without_instructions(self):
         font = self.blend(cli.SANS_BOLD, cli.SERIF, '--text', 'A')

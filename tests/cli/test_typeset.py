@@ -82,7 +82,7 @@ class Chromium(Typeset):
 
     def chromium(self, page, *arguments):
         return self.run_quietly('chromium', '--headless', '--no-sandbox', '--disable-gpu', '--no-first-run',
-                                '--disable-background-networking', '--hide-scrollbars', '--force-device-scale-factor=1',
+                                '--disable-background-networking', '--disable-dev-shm-usage', '--hide-scrollbars', '--force-device-scale-factor=1',
                                 f'--window-size={self.WIDTH},{self.LINE * len(LINES)}', '--virtual-time-budget=5000',
                                 f'--user-data-dir={self.path("profile")}', *arguments, page.as_uri())
 

@@ -198,6 +198,10 @@ class Sample(Test):
             self.assertEqual(self.ufo.parts[name].lib, {'public.verticalOrigin': 880 - i})
         self.assertEqual(self.ufo.info.openTypeVheaVertTypoDescender, -500)
 
+    def test_variation_sequences(self):
+        self.assertEqual(self.ufo.lib['public.unicodeVariationSequences'],
+                         {'FE00': {'0041': self.ufo.order[5], '006F': self.ufo.order[2]}, 'E0100': {'006F': self.ufo.order[5]}})
+
     def test_kerning(self):
         _, a, o, e = self.ufo.order[:4]
         self.assertEqual(self.ufo.groups, {f'public.kern1.{a}': [a], f'public.kern1.{o}': [o, e],

@@ -13,6 +13,8 @@
 /* The sample font with a sixth glyph, made of A and o. */
 static mt_font_data with_composite(mt_arena *arena) {
     static mt_glyf_reference references[] = {{.glyph = 1}, {.glyph = 2, .dx = 30, .dy = -20}};
+    static mt_char_variant variants[] = {
+        {0xFE00, 'A', 5, false}, {0xFE00, 'o', 2, true}, {0xE0100, 'o', 5, false}};
     mt_font_data data = mt_sample_font(arena);
     mt_glyf *glyphs = mt_arena_new(arena, 6, sizeof *glyphs);
     assert_non_null(glyphs);
@@ -29,6 +31,8 @@ static mt_font_data with_composite(mt_arena *arena) {
     data.metrics.vhea_descender = -500;
     data.metrics.family_class = 0x0805;
     data.metrics.italic_angle = -9.5;
+    data.variants = variants;
+    data.variant_count = 3;
     data.copyright = "© & é < 形\1";
     data.designer = "D";
     data.trademark = "T";

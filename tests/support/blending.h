@@ -46,8 +46,8 @@ void mt_test_place_close(mt_test_place *place);
 /* Shapes the text in all three fonts; fails when the blend's width is off by more than a unit a glyph. */
 void mt_test_compare(mt_test_place *place, const uint32_t *text, int length);
 
-/* A GPOS table of the default script with one feature of one lookup. */
-mt_bytes mt_test_one_lookup(uint32_t feature, int type, const mt_bytes *subtables, int count,
+/* A GPOS table of one script with one feature of one lookup. */
+mt_bytes mt_test_one_lookup(uint32_t script, uint32_t feature, int type, const mt_bytes *subtables, int count,
                             mt_arena *arena);
 
 /* Saves a font of blank glyphs, 500 units wide, for `count` characters from `first` on (glyph 1 is the first), with one

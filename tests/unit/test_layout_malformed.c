@@ -2,6 +2,7 @@
  * sanitizers' build sees to the last), and what is made of them can be read again. */
 #include "font/file.h"
 #include "font/sfnt.h"
+#include "layout/gpos.h"
 #include "layout/kerning.h"
 #include "layout/positions.h"
 #include "support/blending.h"
@@ -135,11 +136,63 @@ static void loops(void **state) {
     mt_font_close(plain);
 }
 
+/* A PairPosFormat1 of all pairs of all glyphs, all left ones sharing a set. */
+static mt_bytes all_pairs(void) {
+    mt_table table = {0};
+    uint16_t glyphs[GLYPHS];
+    mt_bytes bytes;
+    const int head[] = {1, 10 + 2 * GLYPHS, 4, 0, GLYPHS};
+    for (int i = 0; i < GLYPHS; i++) glyphs[i] = (uint16_t)(i + 1);
+    for (int i = 0; i < 5; i++) mt_table_16(&table, head[i]);
+    for (int i = 0; i < GLYPHS; i++) mt_table_16(&table, 10 + 2 * GLYPHS + 10);
+    mt_table_coverage(&table, glyphs, GLYPHS);
+    mt_table_16(&table, GLYPHS);
+    for (int i = 0; i < GLYPHS; i++) {
+        mt_table_16(&table, glyphs[i]);
+        mt_table_16(&table, i - 50);
+    }
+    mt_assert_ok(mt_table_keep(&table, &arena, &bytes));
+    return bytes;
+}
+
+/* Each of many languages has a choice of its own of many lookups that are all that and as costly as can be. */
+static void costs_are_bounded(void **state) {
+    (void)state;
+    enum { LANGUAGES = 80, LOOKUPS = 100, SUBTABLES = 10 };
+    mt_shared_system list[LANGUAGES];
+    mt_systems systems = {LANGUAGES, list};
+    mt_bytes subtables[SUBTABLES], gpos, none = {0};
+    mt_made_lookups made = {0};
+    for (int i = 0; i < LANGUAGES; i++)
+        list[i] = (mt_shared_system){MT_TAG('l', 'a', 't', 'n'),
+                                     i ? MT_TAG('A', 'A', 'A', 'A') + (uint32_t)i : 0, 0, 0};
+    for (int i = 0; i < SUBTABLES; i++) subtables[i] = all_pairs();
+    for (int i = 0; i < LOOKUPS; i++) {
+        mt_member *members = mt_arena_new(&arena, LANGUAGES, sizeof *members);
+        mt_made_lookup lookup = {.type = 2,
+                                 .mark_set = -1,
+                                 .members = members,
+                                 .subtable_count = SUBTABLES,
+                                 .subtables = subtables};
+        assert_non_null(members);
+        for (int s = 0; s < LANGUAGES; s++)
+            if (next_random(2)) members[lookup.member_count++] = (mt_member){s, MT_TAG('k', 'e', 'r', 'n')};
+        mt_assert_ok(mt_made_add(&made, &lookup, &arena));
+    }
+    mt_assert_ok(mt_gpos_write(&systems, &made, &arena, &gpos));
+    mt_font *plain = open_with("plain.ttf", 0, none);
+    clock_t start = clock();
+    blend_with(MT_TAG('G', 'P', 'O', 'S'), gpos, plain);
+    assert_true(clock() - start < 60 * CLOCKS_PER_SEC);
+    mt_font_close(plain);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(positions),
         cmocka_unit_test(old_kerning),
         cmocka_unit_test(loops),
+        cmocka_unit_test(costs_are_bounded),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -60,7 +60,7 @@ static mt_test_end end_of(const char *name, int units, uint32_t feature, const m
                           int count) {
     char *path = mt_sample_path(&arena, directory, name);
     mt_bytes gpos = {0};
-    if (count) gpos = mt_test_one_lookup(feature, 1, subtables, count, &arena);
+    if (count) gpos = mt_test_one_lookup(MT_TAG('D', 'F', 'L', 'T'), feature, 1, subtables, count, &arena);
     mt_test_save_blank(path, units, FIRST, GLYPHS, MT_TAG('G', 'P', 'O', 'S'), gpos, &arena);
     return mt_test_open_end(path, path, 0);
 }

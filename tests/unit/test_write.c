@@ -1,4 +1,5 @@
 #include "font/extent.h"
+#include "font/max_context.h"
 #include "font/sfnt.h"
 #include "font/table.h"
 #include "geometry/limits.h"
@@ -418,6 +419,50 @@ static void panose_tells_monospaced(void **state) {
     }
 }
 
+/* A GSUB of one lookup of one subtable. */
+static mt_bytes one_lookup(uint16_t type, const uint16_t *subtable, int count) {
+    uint16_t words[64] = {1, 0,    0, 0, 10, 1,
+                          4, type, 0, 1, 8}; /* the list at 10, its lookup at 14, the subtable at 22 */
+    uint8_t *bytes = mt_arena_new(&arena, 200, 1);
+    assert_non_null(bytes);
+    memcpy(words + 11, subtable, (size_t)count * sizeof *subtable);
+    for (int i = 0; i < 11 + count; i++) {
+        bytes[2 * i] = (uint8_t)(words[i] >> 8);
+        bytes[2 * i + 1] = (uint8_t)words[i];
+    }
+    return (mt_bytes){bytes, (size_t)(22 + 2 * count)};
+}
+
+static void contexts_are_measured(void **state) {
+    (void)state;
+    static const uint16_t ligature[] = {1, 0, 1, 8, 2, 6, 10, 99, 3, 99, 2}, context[] = {3, 4, 0},
+                          chain[] = {3, 2, 0, 0, 1, 0, 2, 0, 0, 0},
+                          chain_rule[] = {1, 0, 1, 8, 1, 4, 1, 9, 3, 8, 8, 4, 7, 7, 7, 7, 0},
+                          reverse[] = {1, 0, 1, 0, 5, 0, 0, 0, 0, 0, 0},
+                          extension[] = {1, 6, 0, 8, 3, 0, 7, 0};
+    const struct {
+        unsigned type;
+        const uint16_t *subtable;
+        int count, most;
+    } cases[] = {{1, context, 1, 1},     {4, ligature, 11, 3}, {5, context, 3, 4},   {6, chain, 10, 3},
+                 {6, chain_rule, 17, 7}, {8, reverse, 11, 6},  {7, extension, 8, 7}, {99, context, 3, 0}};
+    for (int i = 0; i < 8; i++) {
+        mt_bytes table = one_lookup((uint16_t)cases[i].type, cases[i].subtable, cases[i].count);
+        assert_int_equal(mt_max_context(table, true), cases[i].most);
+        for (; table.length > 0; table.length--) assert_in_range(mt_max_context(table, true), 0, 99);
+    }
+    static const uint16_t pair[] = {1};
+    assert_int_equal(mt_max_context(one_lookup(2, pair, 1), false), 2);
+    assert_int_equal(mt_max_context(one_lookup(2, pair, 1), true), 1);
+    size_t length;
+    mt_font_data data = mt_sample_font(&arena);
+    data.extra_count = 1;
+    data.extras[0] = (mt_extra_table){MT_TAG('G', 'S', 'U', 'B'), one_lookup(4, ligature, 11)};
+    uint8_t *bytes = write_font(&data, &length);
+    assert_int_equal(mt_read_u16(mt_sample_table(bytes, "OS/2", NULL) + 94), 3);
+    mt_bytes_free(bytes);
+}
+
 static void figures_are_kept_in_range(void **state) {
     (void)state;
     size_t length;
@@ -729,6 +774,7 @@ int main(void) {
         cmocka_unit_test(no_vertical_metrics),
         cmocka_unit_test(smooth_at_every_size),
         cmocka_unit_test(panose_tells_monospaced),
+        cmocka_unit_test(contexts_are_measured),
         cmocka_unit_test(figures_are_kept_in_range),
         cmocka_unit_test(coverage_is_told),
         cmocka_unit_test(characters_in_the_bmp),
