@@ -57,6 +57,7 @@ static mt_status make_layout(mt_job *job, mt_arena *arena) {
     if (!kept) return MT_NO_MEMORY;
     for (int i = 0; i < charset->primary_count; i++) kept[i] = (uint16_t)charset->glyphs[i].a;
     mt_status status = mt_gsub_subset(job->blend->a, kept, charset->primary_count, arena, &job->layout);
+    if (status == MT_OK) status = mt_charset_twins(charset, arena, &job->layout);
     if (status != MT_OK) return status;
     return mt_glyph_names_make(job->blend->a, charset, arena, &job->glyph_names);
 }

@@ -283,3 +283,14 @@ mt_status mt_charset_make(mt_font *a, mt_font *b, const mt_charset_request *requ
     if (status == MT_OK) status = keep_glyphs(&codes, &sequences, request, &gsub, &match, arena, kept);
     return status == MT_OK ? list_glyphs(&match, &codes, &sequences, kept, arena, charset) : status;
 }
+
+mt_status mt_charset_twins(const mt_charset *charset, mt_arena *arena, mt_layout_tables *tables) {
+    int count = charset->primary_count, twin_count = charset->glyph_count - count;
+    mt_twin *twins = mt_arena_new(arena, (size_t)twin_count + 1, sizeof *twins);
+    uint16_t *numbers = mt_arena_new(arena, (size_t)MT_GLYPHS_MAX + 1, sizeof *numbers);
+    if (!twins || !numbers) return MT_NO_MEMORY;
+    for (int i = 0; i < count; i++) numbers[charset->glyphs[i].a] = (uint16_t)i;
+    for (int i = 0; i < twin_count; i++)
+        twins[i] = (mt_twin){(uint16_t)(count + i), numbers[charset->glyphs[count + i].a]};
+    return mt_gsub_twins(tables, count, twins, twin_count, arena);
+}

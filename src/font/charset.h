@@ -4,6 +4,7 @@
 
 #include "font/match.h"
 #include "font/write.h"
+#include "layout/gsub_subset.h"
 
 /* A glyph of the new font: the glyphs of the two sources that it lies between. */
 typedef struct mt_pairing {
@@ -13,8 +14,8 @@ typedef struct mt_pairing {
 } mt_pairing;
 
 /* The glyphs up to primary_count are A's, each once, in A's order; glyph 0 is .notdef. Those behind are further pairs of
- * one of them with other glyphs of B's, for characters that A has one glyph for and B has two: no substitution leads to or
- * from them. */
+ * one of them with other glyphs of B's, for characters that A has one glyph for and B has two: they are substituted as that
+ * one is, but no substitution leads to them. */
 typedef struct mt_charset {
     int glyph_count, primary_count;
     mt_pairing *glyphs;
@@ -36,5 +37,8 @@ typedef struct mt_charset_request {
  * them. Where a font cannot hold all further pairs, their characters lead to A's one. MT_NOTHING_SHARED, MT_NO_MEMORY. */
 mt_status mt_charset_make(mt_font *a, mt_font *b, const mt_charset_request *request, mt_arena *arena,
                           mt_charset *charset);
+
+/* Adds the further pairs to the first font's tables, which are pruned to the first primary_count glyphs. MT_NO_MEMORY. */
+mt_status mt_charset_twins(const mt_charset *charset, mt_arena *arena, mt_layout_tables *tables);
 
 #endif

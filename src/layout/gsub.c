@@ -54,13 +54,17 @@ static mt_status read_lookups(mt_gsub *gsub, mt_arena *arena) {
 }
 
 mt_status mt_gsub_open(const mt_font *font, mt_arena *arena, mt_gsub *gsub) {
-    mt_gsub made = {.glyph_count = mt_font_glyph_count(font)};
     const int32_t *place;
     int axes = mt_font_place(font, &place);
     mt_bytes table;
     mt_status status = mt_font_table(font, MT_TAG('G', 'S', 'U', 'B'), arena, &table);
-    if (status == MT_OK) status = mt_gsub_place(table, place, axes, arena, &made.table);
-    if (status == MT_OK) status = mt_layout_open(made.table, MT_EXTENSION_GSUB, arena, &made.layout);
+    if (status == MT_OK) status = mt_gsub_place(table, place, axes, arena, &table);
+    return status == MT_OK ? mt_gsub_open_table(table, mt_font_glyph_count(font), arena, gsub) : status;
+}
+
+mt_status mt_gsub_open_table(mt_bytes table, int glyph_count, mt_arena *arena, mt_gsub *gsub) {
+    mt_gsub made = {.table = table, .glyph_count = glyph_count};
+    mt_status status = mt_layout_open(made.table, MT_EXTENSION_GSUB, arena, &made.layout);
     if (status == MT_OK) status = read_lookups(&made, arena);
     if (status == MT_OK) *gsub = made;
     return status;

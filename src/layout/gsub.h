@@ -23,6 +23,11 @@ typedef struct mt_substitution {
     uint16_t inputs, outputs;
 } mt_substitution;
 
+/* A glyph that is substituted as another one is. */
+typedef struct mt_twin {
+    uint16_t glyph, like;
+} mt_twin;
+
 typedef struct mt_gsub_subtable {
     mt_bytes table; /* as the font has it */
     int count;      /* none for contexts, and for what is malformed */
@@ -50,6 +55,9 @@ typedef struct mt_gsub {
  * MT_SUBSTITUTIONS_MAX, is passed over. MT_NO_MEMORY. */
 mt_status mt_gsub_open(const mt_font *font, mt_arena *arena, mt_gsub *gsub);
 
+/* The same of a table of version 1.0 by itself. */
+mt_status mt_gsub_open_table(mt_bytes table, int glyph_count, mt_arena *arena, mt_gsub *gsub);
+
 /* Marks the lookups of a feature, and those that they call, and so on; `marked` has one for each lookup. */
 void mt_gsub_mark(const mt_gsub *gsub, int feature, bool *marked);
 
@@ -73,6 +81,10 @@ mt_status mt_gsub_read(mt_gsub_reader *reader, int type, mt_bytes table, mt_gsub
 
 /* gsub_context.c: marks the lookups that a subtable of type 5 or 6 calls; `called` has one for each lookup. */
 void mt_gsub_called(mt_gsub_reader *reader, int type, mt_bytes table, bool *called);
+
+/* gsub_twins.c: adds to each substitution of a twin's like one of the twin: they differ in the first glyph. Contexts do not
+ * know twins. MT_NO_MEMORY. */
+mt_status mt_gsub_add_twins(mt_gsub *gsub, const mt_twin *twins, int count, mt_arena *arena);
 
 /* gsub_write.c: adds subtables of these substitutions to the table, each within its 16-bit offsets, and where they start
  * to the list. `old` is the subtable they come from: a reverse one has its context. MT_NO_MEMORY. */

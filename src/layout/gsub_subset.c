@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "font/sfnt.h"
-#include "layout/gsub.h"
 #include "layout/made.h"
 
 /* ---- what goes in -------------------------------------------------------------------------------------- */
@@ -114,12 +113,12 @@ static mt_status cut_gsub(const mt_font *font, const uint16_t *kept, int count, 
     return mt_gsub_cut(&gsub, is_kept, arena, cut);
 }
 
-static mt_status prune(const mt_font *font, mt_bytes gsub, mt_bytes gdef, const uint16_t *kept, int count,
+static mt_status prune(int glyph_count, mt_bytes gsub, mt_bytes gdef, const uint16_t *kept, int count,
                        mt_arena *arena, mt_layout_tables *tables, bool *held) {
     uint8_t maxp[6];
     *held = true;
     if (!gsub.length && !gdef.length) return MT_OK;
-    hb_face_t *face = make_face(gsub, gdef, mt_font_glyph_count(font), maxp);
+    hb_face_t *face = make_face(gsub, gdef, glyph_count, maxp);
     if (!face) return MT_NO_MEMORY;
     mt_status status = prune_face(face, kept, count, arena, tables, held);
     hb_face_destroy(face);
@@ -134,8 +133,65 @@ mt_status mt_gsub_subset(const mt_font *font, const uint16_t *kept, int count, m
     mt_status status = cut_gsub(font, kept, count, arena, &gsub);
     if (status == MT_OK) status = mt_font_table(font, MT_TAG('G', 'D', 'E', 'F'), arena, &gdef);
     if (status == MT_OK) status = plain_gdef(gdef, arena, &gdef);
-    if (status == MT_OK) status = prune(font, gsub, gdef, kept, count, arena, &made, &held);
-    if (status == MT_OK && !held) status = prune(font, (mt_bytes){0}, gdef, kept, count, arena, &made, &held);
+    if (status == MT_OK)
+        status = prune(mt_font_glyph_count(font), gsub, gdef, kept, count, arena, &made, &held);
+    if (status == MT_OK && !held)
+        status = prune(mt_font_glyph_count(font), (mt_bytes){0}, gdef, kept, count, arena, &made, &held);
     if (status == MT_OK) *tables = made;
+    return status;
+}
+
+/* ---- twins --------------------------------------------------------------------------------------------- */
+
+/* GDEF with its GlyphClassDef written anew behind it, for the twins too; as it is where the offset would not do. */
+static mt_status class_twins(mt_bytes *gdef, int count, const mt_twin *twins, int twin_count,
+                             mt_arena *arena) {
+    mt_bytes classes = mt_ot_follow(*gdef, 4);
+    if (!classes.length || gdef->length > UINT16_MAX) return MT_OK;
+    mt_table table = {0};
+    mt_glyph_class *list = mt_arena_new(arena, (size_t)count + (size_t)twin_count, sizeof *list);
+    if (!list) return MT_NO_MEMORY;
+    for (int i = 0; i < count + twin_count; i++) {
+        unsigned like = i < count ? (unsigned)i : twins[i - count].like;
+        list[i] = (mt_glyph_class){(uint16_t)i, (uint16_t)mt_class_find(classes, like)};
+    }
+    mt_table_bytes(&table, gdef->bytes, gdef->length);
+    mt_table_classes(&table, list, count + twin_count);
+    if (!table.failed) {
+        table.bytes[4] = (uint8_t)(gdef->length >> 8);
+        table.bytes[5] = (uint8_t)gdef->length;
+    }
+    return mt_table_keep(&table, arena, gdef);
+}
+
+static mt_status substitute_twins(mt_bytes *table, int count, const mt_twin *twins, int twin_count,
+                                  mt_arena *arena) {
+    mt_gsub gsub;
+    int all = count + twin_count;
+    mt_status status = mt_gsub_open_table(*table, all, arena, &gsub);
+    if (status == MT_OK) status = mt_gsub_add_twins(&gsub, twins, twin_count, arena);
+    bool *kept = status == MT_OK ? mt_arena_new(arena, (size_t)all, sizeof *kept) : NULL;
+    if (!kept) return MT_NO_MEMORY;
+    for (int i = 0; i < all; i++) kept[i] = true;
+    return mt_gsub_cut(&gsub, kept, arena, table);
+}
+
+/* Everything is kept: the subsetter only packs the tables again. Without twins they stay where that does not go. */
+mt_status mt_gsub_twins(mt_layout_tables *tables, int count, const mt_twin *twins, int twin_count,
+                        mt_arena *arena) {
+    mt_layout_tables made = *tables, packed = {0};
+    int all = count + twin_count;
+    bool held = false;
+    if (twin_count == 0 || (!made.gsub.length && !made.gdef.length)) return MT_OK;
+    uint16_t *kept = mt_arena_new(arena, (size_t)all, sizeof *kept);
+    if (!kept) return MT_NO_MEMORY;
+    for (int i = 0; i < all; i++) kept[i] = (uint16_t)i;
+    mt_status status = made.gdef.length ? class_twins(&made.gdef, count, twins, twin_count, arena) : MT_OK;
+    if (status == MT_OK && made.gsub.length)
+        status = substitute_twins(&made.gsub, count, twins, twin_count, arena);
+    if (status == MT_OK) status = prune(all, made.gsub, made.gdef, kept, all, arena, &packed, &held);
+    bool whole = held && packed.gsub.length >= (tables->gsub.length > 0) &&
+                 packed.gdef.length >= (tables->gdef.length > 0);
+    if (status == MT_OK && whole) *tables = packed;
     return status;
 }

@@ -2,8 +2,7 @@
 #ifndef MT_GSUB_SUBSET_H
 #define MT_GSUB_SUBSET_H
 
-#include "geometry/memory.h"
-#include "font/font.h"
+#include "layout/gsub.h"
 
 typedef struct mt_layout_tables {
     mt_bytes gsub, gdef; /* in the arena; empty where there is none */
@@ -14,5 +13,10 @@ typedef struct mt_layout_tables {
  * when the glyphs that it leads to cannot be held apart from the rest. MT_NO_MEMORY. */
 mt_status mt_gsub_subset(const mt_font *font, const uint16_t *kept, int count, mt_arena *arena,
                          mt_layout_tables *tables);
+
+/* Adds glyphs behind the `count` ones of these tables, twins of some of them, by ascending numbers from `count` on: they
+ * are substituted as these are, except in contexts, and are of their classes. MT_NO_MEMORY. */
+mt_status mt_gsub_twins(mt_layout_tables *tables, int count, const mt_twin *twins, int twin_count,
+                        mt_arena *arena);
 
 #endif
