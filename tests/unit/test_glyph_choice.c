@@ -20,6 +20,7 @@
 #define INTER "/usr/share/fonts/truetype/inter-vf/Inter.var.ttf"
 #define URW "/usr/share/fonts/opentype/urw-base35/"
 #define NOTO "/usr/share/fonts/opentype/noto/"
+#define LINUX "/usr/share/fonts/opentype/linux-libertine/"
 
 #define COUNT_OF(list) (int)(sizeof(list) / sizeof *(list))
 
@@ -214,6 +215,19 @@ static void postscript_outlines(void **state) {
         {.text = "şa", .language = "ro", .changed = 0},
     };
     check_texts(mt_test_font(URW "C059-Roman.otf"), mt_test_font(URW "P052-Roman.otf"), texts,
+                COUNT_OF(texts));
+}
+
+static void capitals_and_figures(void **state) {
+    (void)state;
+    static const typed texts[] = {
+        {.text = "Hamburg Öfen", .features = "smcp", .changed = 9},
+        {.text = "Hamburg", .features = "smcp c2sc", .changed = 7},
+        {.text = "0123456789", .features = "onum", .changed = 8},
+        {.text = "0123456789", .features = "onum pnum", .changed = 8},
+        {.text = "Auflage, office", .features = "liga", .changed = 2},
+    };
+    check_texts(mt_test_font(LINUX "LinLibertine_R.otf"), mt_test_font(LINUX "LinBiolinum_R.otf"), texts,
                 COUNT_OF(texts));
 }
 
@@ -455,6 +469,7 @@ int main(void) {
         cmocka_unit_test(arabic),
         cmocka_unit_test(variable),
         cmocka_unit_test(postscript_outlines),
+        cmocka_unit_test(capitals_and_figures),
         cmocka_unit_test(as_many_as_a_font_holds),
         cmocka_unit_test(weights_of_a_family),
         cmocka_unit_test(random_texts),
