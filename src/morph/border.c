@@ -125,18 +125,53 @@ static void list_bridges(mt_border *border, int c, double reach, int *next) {
     }
 }
 
+/* ---- leaps ------------------------------------------------------------------------------------------------------- */
+
+#define LEAP_REACH 0.15  /* em */
+#define LEAP_PRICE 1.0   /* for leaping at all … */
+#define LEAP_EM_PRICE 10 /* … and for each em of the way */
+
+/* The stop of component c that is nearest to a place. */
+static int nearest_of(const mt_border *b, int c, mt_point place) {
+    int best = b->first_stop[c];
+    for (int i = best + 1; i < b->first_stop[c + 1]; i++)
+        if (mt_distance2(b->places[i], place) < mt_distance2(b->places[best], place)) best = i;
+    return best;
+}
+
+/* Counts the leaps between two components, or writes them when there is room: between stops that are nearest to one another. */
+static void list_leaps(mt_border *b, int c, int d, int *next) {
+    for (int i = b->first_stop[c]; i < b->first_stop[c + 1]; i++) {
+        int k = nearest_of(b, d, b->places[i]);
+        double length = mt_border_distance(b, i, k);
+        if (length > LEAP_REACH || nearest_of(b, c, b->places[k]) != i) continue;
+        double price = LEAP_PRICE + LEAP_EM_PRICE * length;
+        if (b->bridges) b->bridges[next[i]] = (mt_bridge){k, -1, price};
+        if (b->bridges) b->bridges[next[k]] = (mt_bridge){i, -1, price};
+        next[i]++;
+        next[k]++;
+    }
+}
+
+static void list_all(mt_border *border, double reach, int *next) {
+    for (int c = 0; c < border->component_count; c++) {
+        list_bridges(border, c, reach, next);
+        for (int d = 0; d < c; d++) list_leaps(border, c, d, next);
+    }
+}
+
 static mt_status add_bridges(mt_border *border, double reach, mt_arena *arena) {
     int *next = mt_arena_new(arena, (size_t)border->count + 1, sizeof *next);
     border->first_bridge = mt_arena_new(arena, (size_t)border->count + 1, sizeof(int));
     if (!next || !border->first_bridge) return MT_NO_MEMORY;
-    for (int c = 0; c < border->component_count; c++) list_bridges(border, c, reach, next);
+    list_all(border, reach, next);
     for (int i = 0; i < border->count; i++) {
         border->first_bridge[i + 1] = border->first_bridge[i] + next[i];
         next[i] = border->first_bridge[i];
     }
     border->bridges = mt_arena_new(arena, (size_t)border->first_bridge[border->count] + 1, sizeof(mt_bridge));
     if (!border->bridges) return MT_NO_MEMORY;
-    for (int c = 0; c < border->component_count; c++) list_bridges(border, c, reach, next);
+    list_all(border, reach, next);
     return MT_OK;
 }
 

@@ -6,10 +6,11 @@
 #include "geometry/triangulate.h"
 #include "morph/align.h"
 
-/* A place to cross the ink, in one direction: a diagonal of the triangulation. */
+/* A place to cross the ink, in one direction: a diagonal of the triangulation. Or a leap over white to another component: a
+ * part that is whole on one side may be two on the other. */
 typedef struct mt_bridge {
     int to;       /* the stop on the other bank */
-    int edge;     /* the half-edge of its component's mesh */
+    int edge;     /* the half-edge of its component's mesh; -1 for a leap */
     double price; /* INFINITY where it is barred */
 } mt_bridge;
 

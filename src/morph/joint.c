@@ -4,6 +4,7 @@
 
 #include "morph/holes.h"
 #include "morph/join.h"
+#include "morph/overlap.h"
 #include "morph/reconcile.h"
 
 /* What aligning two components as they are may cost: more than that, they are not built alike, … */
@@ -113,10 +114,18 @@ static mt_status join_rest(mt_loom *loom, const mt_cut_side *cut, bool in_a) {
     return MT_OK;
 }
 
+/* Whether there are more shares than either side has components: on the way there would be more parts than at both ends. */
+static bool is_cut_twice(const mt_morph *m, const mt_cut_side *a, const mt_cut_side *b) {
+    return a->shares.count > m->a.shape.count && a->shares.count > m->b.shape.count &&
+           b->shares.count > m->a.shape.count && b->shares.count > m->b.shape.count;
+}
+
 static mt_status join_cut(mt_loom *loom) {
     mt_morph *m = loom->morph;
     mt_cut_side a, b;
     mt_status status = mt_reconcile(&m->a, &m->b, loom->hints, loom->params, loom->arena, &a, &b);
+    if (status == MT_OK && is_cut_twice(m, &a, &b))
+        status = mt_overlap_cuts(&m->a.shape, &a, &m->b.shape, &b, loom->arena);
     if (status != MT_OK) return status;
     m->a.shape = a.shares;
     m->b.shape = b.shares;

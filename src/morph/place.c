@@ -40,3 +40,9 @@ int mt_component_at(const mt_shape *shape, mt_point place) {
     }
     return nearest;
 }
+
+bool mt_is_in_ink(const mt_shape *shape, mt_point place) {
+    for (int k = 0; k < shape->count; k++)
+        if (to_ink(&shape->components[k], place) <= 0) return true;
+    return false;
+}

@@ -7,4 +7,7 @@
 /* The component whose ink holds a place, or comes nearest to it. The shape is not empty. */
 int mt_component_at(const mt_shape *shape, mt_point place);
 
+/* Whether a place is in the ink of a shape. */
+bool mt_is_in_ink(const mt_shape *shape, mt_point place);
+
 #endif

@@ -124,7 +124,7 @@ static int way_back(const mt_bank *bank, int bridge) {
     int from = mt_bridge_source(b, bridge), to = b->bridges[bridge].to, best = -1;
     double least = NEAR + NEAR_SHARE * mt_bridge_length(b, bridge);
     for (int i = 0; i < b->first_bridge[b->count]; i++) {
-        if (!bank->used[i] || !lead_apart(b, bridge, i)) continue;
+        if (!bank->used[i] || b->bridges[i].edge < 0 || !lead_apart(b, bridge, i)) continue;
         double apart =
             mt_border_distance(b, from, b->bridges[i].to) + mt_border_distance(b, to, mt_bridge_source(b, i));
         if (apart >= least) continue;
@@ -158,13 +158,15 @@ static mt_status bar_bridges(mt_bank *bank, mt_arena *arena) {
     bool *keep = mt_arena_new(arena, (size_t)total, sizeof *keep);
     if (!keep) return MT_NO_MEMORY;
     for (int i = 0; i < total; i++) {
+        if (b->bridges[i].edge < 0) continue;
         int back = bank->used[i] ? way_back(bank, i) : -1;
         if (back < 0) continue;
         int chosen = neater(b, i, back);
         keep[chosen] = keep[mt_bridge_back(b, chosen)] = true;
     }
     for (int i = 0; i < total; i++)
-        b->bridges[i].price = keep[i] ? b->bridges[i].price * KNOWN_SHARE : INFINITY;
+        if (b->bridges[i].edge >= 0)
+            b->bridges[i].price = keep[i] ? b->bridges[i].price * KNOWN_SHARE : INFINITY;
     return MT_OK;
 }
 
@@ -191,7 +193,7 @@ static mt_status choose_cuts(mt_bank *bank, mt_arena *arena) {
         if (!bank->cut[c] || !bank->share_of[c]) return MT_NO_MEMORY;
         int first = b->first_bridge[b->first_stop[c]], last = b->first_bridge[b->first_stop[c + 1]];
         for (int i = first; i < last; i++) {
-            int place = bank->used[i] ? place_to_cut(bank, i) : -1;
+            int place = bank->used[i] && b->bridges[i].edge >= 0 ? place_to_cut(bank, i) : -1;
             if (place < first || place >= last) continue;
             bank->cut[c][b->bridges[place].edge] = true;
             bank->cut[c][b->meshes[c].twin[b->bridges[place].edge]] = true;

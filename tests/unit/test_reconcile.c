@@ -139,6 +139,18 @@ static void a_wide_h_and_its_stems(void **state) {
     assert_true(a.partner[0] >= 0 && a.partner[1] >= 0);
 }
 
+/* Three bars one above the other, the lower two joined in the one, the upper two in the other: walkers of what is joined leap
+ * over the white. */
+static void joined_otherwise(void **state) {
+    (void)state;
+    static const int low[][2] = {{0, 0},     {600, 0}, {600, 100}, {340, 100}, {340, 200}, {600, 200},
+                                 {600, 300}, {0, 300}, {0, 200},   {280, 200}, {280, 100}, {0, 100}};
+    mt_ring lower[] = {mt_test_ring_of(&arena, low, 12, UNIT), block(0, 400, 600, 100)};
+    mt_ring upper[] = {mt_test_ring_of(&arena, low, 12, UNIT), block(0, 0, 600, 100)};
+    for (int i = 0; i < upper[0].count; i++) upper[0].points[i].y += 200 * UNIT;
+    check_both_ways(shape_of(lower, 2), shape_of(upper, 2), 3);
+}
+
 static void a_dot_merged_into_a_stroke(void **state) {
     (void)state;
     check_both_ways(dot_and_stroke(), dot_in_stroke(), 2);
@@ -191,10 +203,10 @@ static void random_shapes(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_h_and_its_stems),     cmocka_unit_test(the_crossbar_is_cut),
-        cmocka_unit_test(a_wide_h_and_its_stems), cmocka_unit_test(a_dot_merged_into_a_stroke),
-        cmocka_unit_test(nothing_to_cut),         cmocka_unit_test(what_only_one_side_has),
-        cmocka_unit_test(random_shapes),
+        cmocka_unit_test(an_h_and_its_stems),         cmocka_unit_test(the_crossbar_is_cut),
+        cmocka_unit_test(a_wide_h_and_its_stems),     cmocka_unit_test(joined_otherwise),
+        cmocka_unit_test(a_dot_merged_into_a_stroke), cmocka_unit_test(nothing_to_cut),
+        cmocka_unit_test(what_only_one_side_has),     cmocka_unit_test(random_shapes),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -1,0 +1,108 @@
+#include "geometry/limits.h"
+#include "geometry/union.h"
+#include "morph/overlap.h"
+#include "support/check.h"
+#include "support/polygons.h"
+
+static mt_arena arena;
+
+static int tear_down(void **state) {
+    (void)state;
+    mt_arena_release(&arena);
+    return 0;
+}
+
+enum { UNIT = MT_EM / 1000 };
+
+static mt_component component_of(const int points[][2], int count) {
+    mt_ring *ring = mt_arena_new(&arena, 1, sizeof *ring);
+    *ring = mt_test_ring_of(&arena, points, count, UNIT);
+    return (mt_component){1, ring};
+}
+
+static mt_shape shape_of(mt_component *components, int count) {
+    return (mt_shape){count, components};
+}
+
+/* A stem, 100 wide, and a bar to its right that is cut off it. */
+static void cut_apart(mt_component shares[2], mt_component *whole) {
+    static const int stem[][2] = {{0, 0}, {100, 0}, {100, 300}, {100, 400}, {100, 700}, {0, 700}};
+    static const int bar[][2] = {{100, 300}, {500, 300}, {500, 400}, {100, 400}};
+    static const int both[][2] = {{0, 0},     {100, 0},   {100, 300}, {500, 300},
+                                  {500, 400}, {100, 400}, {100, 700}, {0, 700}};
+    shares[0] = component_of(stem, 6);
+    shares[1] = component_of(bar, 4);
+    *whole = component_of(both, 8);
+}
+
+/* The same stem, and the bar `gap` away from it. */
+static void drawn_apart(int gap, mt_component parts[2]) {
+    const int stem[][2] = {{0, 0}, {100, 0}, {100, 700}, {0, 700}};
+    const int bar[][2] = {{100 + gap, 300}, {500 + gap, 300}, {500 + gap, 400}, {100 + gap, 400}};
+    parts[0] = component_of(stem, 4);
+    parts[1] = component_of(bar, 4);
+}
+
+static int64_t union_area2(const mt_shape *shape) {
+    mt_ring rings[2] = {shape->components[0].rings[0], shape->components[1].rings[0]};
+    const mt_rings drawn = {2, rings};
+    mt_shape made;
+    mt_assert_ok(mt_union(&drawn, &arena, &made));
+    return mt_shape_area2(&made);
+}
+
+static void overlap(int gap, mt_cut_side *a, mt_component *whole, mt_component in_a[2],
+                    mt_component in_b[2]) {
+    static int partner[] = {0, 1};
+    cut_apart(in_a, whole);
+    drawn_apart(gap, in_b);
+    *a = (mt_cut_side){shape_of(in_a, 2), partner};
+    mt_cut_side b = {shape_of(in_b, 2), partner};
+    mt_shape ink_a = shape_of(whole, 1), ink_b = b.shares;
+    mt_assert_ok(mt_overlap_cuts(&ink_a, a, &ink_b, &b, &arena));
+    for (int i = 0; i < 2; i++)
+        assert_int_equal(b.shares.components[i].rings[0].count, 4); /* nothing to do there */
+}
+
+/* The bar, which ends at the cut, goes on into the stem by the gap; the ink stays. */
+static void the_bar_goes_on(void **state) {
+    (void)state;
+    for (int gap = 10; gap <= 90; gap += 20) {
+        mt_component in_a[2], in_b[2], whole;
+        mt_cut_side a;
+        overlap(gap, &a, &whole, in_a, in_b);
+        mt_box bar = mt_ring_box(&a.shares.components[1].rings[0]);
+        assert_int_equal(a.shares.components[0].rings[0].count, 6);
+        assert_int_equal(a.shares.components[1].rings[0].count, 6);
+        assert_int_equal(bar.min.x, (100 - gap) * UNIT);
+        assert_true(union_area2(&a.shares) == mt_component_area2(&whole));
+    }
+}
+
+/* No further than the ink: a gap that is wider than the stem gets half of it. */
+static void not_out_of_the_ink(void **state) {
+    (void)state;
+    mt_component in_a[2], in_b[2], whole;
+    mt_cut_side a;
+    overlap(110, &a, &whole, in_a, in_b);
+    assert_int_equal(mt_ring_box(&a.shares.components[1].rings[0]).min.x, (100 - 55) * UNIT);
+    assert_true(union_area2(&a.shares) == mt_component_area2(&whole));
+}
+
+static void nothing_where_the_partners_touch(void **state) {
+    (void)state;
+    mt_component in_a[2], in_b[2], whole;
+    mt_cut_side a;
+    overlap(0, &a, &whole, in_a, in_b);
+    for (int i = 0; i < 2; i++)
+        assert_int_equal(a.shares.components[i].rings[0].count, in_a[i].rings[0].count);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_bar_goes_on),
+        cmocka_unit_test(not_out_of_the_ink),
+        cmocka_unit_test(nothing_where_the_partners_touch),
+    };
+    return cmocka_run_group_tests(tests, NULL, tear_down);
+}
