@@ -38,6 +38,14 @@ class WholeFont(cli.Test):
         self.assertIn(f'{len(set(b) - set(a))} characters only in {cli.SERIF}', summary[1])
         self.assertIn('more ranges', summary[0])
         self.assertLess(max(map(len, summary)), 1000)
+        self.check_each_glyph_loads('x.ttf')
+
+    def check_each_glyph_loads(self, name):
+        """The program reads glyphs through FreeType, and names those that it cannot read by a character."""
+        said = self.made('blend', self.path(name), self.path(name), '--at', '0', '--glyphs', 'first', '-o', 'again.ttf')
+        self.assertEqual([line for line in said if 'U+' in line or 'no character' in line], [])
+        again = ttLib.TTFont(self.path('again.ttf'))
+        self.assertEqual(len(again.getGlyphOrder()), len(ttLib.TTFont(self.path(name)).getGlyphOrder()))
 
 
 class Places(cli.Test):
