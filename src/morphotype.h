@@ -170,6 +170,37 @@ MT_API mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, 
                                 void *user, double *advance);
 MT_API int mt_blend_units_per_em(const mt_blend *blend);
 
+/* ---- variable fonts ---------------------------------------------------------------------------------------
+ */
+
+/* One font that varies along an axis, MRPH from 0 (the first font, and the default) to 100 (the last), with the fonts in
+ * between at even distances. Where the outlines of two neighbours need not be compatible, its contours are: each moves on
+ * straight lines. */
+typedef struct mt_variable mt_variable;
+
+enum { MT_VARIABLE_FONTS_MAX = 2 };
+
+/* Of 2 … MT_VARIABLE_FONTS_MAX fonts, which it keeps using: close them after it. `params` is copied. */
+MT_API mt_status mt_variable_new(mt_font *const *fonts, int count, const mt_params *params,
+                                 mt_variable **variable);
+MT_API void mt_variable_free(mt_variable *variable); /* NULL is fine */
+
+/* As the calls for a blend. A glyph that cannot be blended is the nearer font's own, switched over half-way. The glyphs are
+ * those that all of the fonts have, or the first font's. Hints are for each two neighbours that have their characters. */
+MT_API void mt_variable_on_failure(mt_variable *variable, mt_glyph_failed call, void *user);
+MT_API void mt_variable_on_progress(mt_variable *variable, mt_progress call, void *user);
+MT_API mt_status mt_variable_set_family(mt_variable *variable, const char *name);
+MT_API mt_status mt_variable_warnings(const mt_variable *variable, mt_warning call, void *user);
+MT_API mt_status mt_variable_set_chars(mt_variable *variable, const uint32_t *code_points, int count);
+MT_API void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set);
+MT_API int mt_variable_unblended(const mt_variable *variable);
+
+/* The font as TrueType bytes; give them back with mt_bytes_free. */
+MT_API mt_status mt_variable_font(mt_variable *variable, uint8_t **bytes, size_t *length);
+/* Written to `path` whole or not at all, in the format of its extension: .ttf or .woff2. MT_UNKNOWN_FORMAT,
+ * MT_CANNOT_WRITE. */
+MT_API mt_status mt_variable_save(mt_variable *variable, const char *path);
+
 /* ---- hints ------------------------------------------------------------------------------------------------
  */
 
@@ -197,6 +228,8 @@ MT_API bool mt_hint_table_next_char(const mt_hint_table *table, uint32_t from, u
  * MT_BAD_HINTS, with `error` (unless NULL) filled in, for a place over 32 em from the origin and for more than
  * 256 hints for one glyph; MT_NO_MEMORY. The blend then goes by the hints it had. */
 MT_API mt_status mt_blend_set_hints(mt_blend *blend, const mt_hint_table *table, mt_hint_error *error);
+MT_API mt_status mt_variable_set_hints(mt_variable *variable, const mt_hint_table *table,
+                                       mt_hint_error *error);
 
 #ifdef __cplusplus
 }

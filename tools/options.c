@@ -227,6 +227,7 @@ static int read_fonts(const cli_command *command, int count, char **names, cli_o
     if (count > command->fonts_max)
         return misuse(command->name, "%s is one argument too many", names[command->fonts_max]);
     for (int i = 0; i < count; i++) options->fonts[i] = names[i];
+    options->font_count = count;
     return GO_ON;
 }
 

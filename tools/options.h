@@ -6,7 +6,8 @@
 
 typedef struct cli_options {
     const char *command;
-    const char *fonts[2];   /* specs; the second NULL where there is one */
+    const char *fonts[MT_VARIABLE_FONTS_MAX]; /* specs; the second NULL where there is one */
+    int font_count;
     const char *output;     /* NULL: not given */
     double *at;             /* T's; from mt_new */
     int at_count;           /* 0: not given */

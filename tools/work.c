@@ -45,7 +45,14 @@ int font_open(const char *spec, mt_font **font) {
 }
 
 void work_name(const cli_options *options, char *text, size_t room) {
-    snprintf(text, room, "%s and %s", options->fonts[0], options->fonts[1]);
+    int count = options->font_count;
+    size_t used = 0;
+    *text = '\0';
+    for (int i = 0; i < count && used < room; i++) {
+        const char *before = i == 0 ? "" : i + 1 < count ? ", " : " and ";
+        snprintf(text + used, room - used, "%s%s", before, options->fonts[i]);
+        used += strlen(text + used);
+    }
 }
 
 /* ---- characters --------------------------------------------------------------------------------- */
@@ -93,7 +100,9 @@ static void say_characters(const cli_options *options, characters *set, const ch
 /* Of a file, those that all fonts have, or the one that is asked. */
 static int choose_file(const cli_options *options, mt_font *const *fonts, int count, characters *chosen) {
     characters wanted = {0}, left_out = {0};
-    char where[NAME_ROOM] = "not in both fonts";
+    const char *everyone = count > 2 ? "all fonts" : "both fonts";
+    char where[NAME_ROOM];
+    snprintf(where, sizeof where, "not in %s", everyone);
     if (count == 1) snprintf(where, sizeof where, "not in %s", options->fonts[0]);
     int outcome = characters_add_file(&wanted, options->chars_file);
     mt_status status = MT_OK;
@@ -105,7 +114,7 @@ static int choose_file(const cli_options *options, mt_font *const *fonts, int co
     if (status != MT_OK) outcome = fail_status(options->chars_file, status);
     if (outcome == DONE && chosen->count == 0)
         outcome = fail("%s: none of its %d characters is in %s", options->chars_file, wanted.count,
-                       count > 1 ? "both fonts" : options->fonts[0]);
+                       count > 1 ? everyone : options->fonts[0]);
     if (outcome == DONE) say_characters(options, &left_out, where, "left out");
     characters_free(&wanted);
     characters_free(&left_out);
@@ -118,33 +127,37 @@ int characters_choose(const cli_options *options, mt_font *const *fonts, int cou
     return DONE;
 }
 
-/* Those of `own` that `other` lacks. */
-static mt_status subtract(const characters *own, const characters *other, characters *only) {
-    mt_status status = MT_OK;
-    for (int i = 0; status == MT_OK && i < own->count; i++)
-        if (!characters_have(other, own->list[i])) status = characters_add(only, own->list[i]);
+/* Those of the font that another one lacks. */
+static mt_status find_unshared(mt_font *const *fonts, int count, int own, characters *all,
+                               characters *unshared) {
+    mt_status status = characters_add_font(all, fonts[own]);
+    for (int i = 0; status == MT_OK && i < all->count; i++) {
+        bool everywhere = true;
+        for (int k = 0; k < count; k++) everywhere = everywhere && has_char(fonts[k], all->list[i]);
+        if (!everywhere) status = characters_add(unshared, all->list[i]);
+    }
     return status;
 }
 
-/* What stands in one font only is left out, but for the first's with --glyphs first. */
-static void say_only_in(const cli_options *options, int font, characters *only) {
+/* What not all fonts have is left out, but for the first's with --glyphs first. */
+static void say_unshared(const cli_options *options, int font, characters *unshared) {
     char where[NAME_ROOM];
     bool kept = options->glyphs == MT_GLYPHS_FIRST && font == 0;
-    snprintf(where, sizeof where, "only in %s", options->fonts[font]);
-    say_characters(options, only, where, kept ? "kept as they are" : "left out");
+    snprintf(where, sizeof where, options->font_count > 2 ? "of %s not in all fonts" : "only in %s",
+             options->fonts[font]);
+    say_characters(options, unshared, where, kept ? "kept as they are" : "left out");
 }
 
-/* A whole font: tells what stands in one font only. MT_NOTHING_SHARED when that is everything. */
+/* A whole font: tells what not all fonts have. MT_NOTHING_SHARED when that is everything. */
 static mt_status summarise(const cli_options *options, mt_font *const *fonts) {
-    characters all[2] = {{0}}, only[2] = {{0}};
     mt_status status = MT_OK;
-    for (int i = 0; i < 2 && status == MT_OK; i++) status = characters_add_font(&all[i], fonts[i]);
-    for (int i = 0; i < 2 && status == MT_OK; i++) status = subtract(&all[i], &all[1 - i], &only[i]);
-    if (status == MT_OK && only[0].count == all[0].count) status = MT_NOTHING_SHARED;
-    for (int i = 0; i < 2; i++) {
-        if (status == MT_OK) say_only_in(options, i, &only[i]);
-        characters_free(&all[i]);
-        characters_free(&only[i]);
+    for (int i = 0; i < options->font_count && status == MT_OK; i++) {
+        characters all = {0}, unshared = {0};
+        status = find_unshared(fonts, options->font_count, i, &all, &unshared);
+        if (status == MT_OK && unshared.count == all.count) status = MT_NOTHING_SHARED;
+        if (status == MT_OK) say_unshared(options, i, &unshared);
+        characters_free(&all);
+        characters_free(&unshared);
     }
     return status;
 }
@@ -171,10 +184,12 @@ static int compare_failures(const void *a, const void *b) {
 }
 
 static void say_unblended(const cli_work *work) {
-    int count = mt_blend_unblended(work->blend);
+    int count = work->variable ? mt_variable_unblended(work->variable) : mt_blend_unblended(work->blend);
     if (count == 0 || work->options->quiet) return;
-    say("%d glyph%s that %s has not stay%s as in %s", count, count == 1 ? "" : "s", work->options->fonts[1],
-        count == 1 ? "s" : "", work->options->fonts[0]);
+    bool two = work->options->font_count == 2;
+    say("%d glyph%s that %s %s not stay%s as in %s", count, count == 1 ? "" : "s",
+        two ? work->options->fonts[1] : "the other fonts", two ? "has" : "have", count == 1 ? "s" : "",
+        work->options->fonts[0]);
 }
 
 int work_failures(cli_work *work) {
@@ -211,7 +226,7 @@ int work_fail(cli_work *work, mt_status status) {
 
 static void explain(const cli_work *work) {
     if (!work->options->verbose) return;
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < work->options->font_count; i++)
         say("%s: %s %s", work->options->fonts[i], mt_font_family(work->fonts[i]),
             mt_font_style(work->fonts[i]));
 }
@@ -219,9 +234,10 @@ static void explain(const cli_work *work) {
 static int set_hints(cli_work *work) {
     mt_hint_table *table;
     mt_hint_error error;
-    int outcome = hints_read(work->options, work->fonts, 2, &table);
+    int outcome = hints_read(work->options, work->fonts, work->options->font_count, &table);
     if (outcome != DONE) return outcome;
-    mt_status status = mt_blend_set_hints(work->blend, table, &error);
+    mt_status status = work->variable ? mt_variable_set_hints(work->variable, table, &error)
+                                      : mt_blend_set_hints(work->blend, table, &error);
     mt_hint_table_free(table);
     return status == MT_OK ? DONE : hints_fail(work->options, status, &error);
 }
@@ -241,14 +257,40 @@ static int make_blend(cli_work *work) {
     return DONE;
 }
 
-int work_begin(const cli_options *options, cli_work *work) {
+static int make_variable(cli_work *work) {
+    const cli_options *options = work->options;
+    mt_status status = mt_variable_new(work->fonts, options->font_count, &options->params, &work->variable);
+    if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
+    if (status == MT_OK) mt_variable_set_glyphs(work->variable, options->glyphs);
+    if (status == MT_OK && options->family) status = mt_variable_set_family(work->variable, options->family);
+    if (status == MT_OK && work->chosen.count > 0)
+        status = mt_variable_set_chars(work->variable, work->chosen.list, work->chosen.count);
+    if (status == MT_OK && work->chosen.count == 0) status = summarise(options, work->fonts);
+    if (status != MT_OK) return work_fail(work, status);
+    mt_variable_on_failure(work->variable, note_failure, work);
+    mt_variable_on_progress(work->variable, progress_draw, &work->bar);
+    return DONE;
+}
+
+/* Opens the fonts and chooses the characters. */
+static int open_fonts(const cli_options *options, cli_work *work) {
     *work = (cli_work){.options = options, .bar = progress_begin(options->quiet)};
     int outcome = DONE;
-    for (int i = 0; i < 2 && outcome == DONE; i++) outcome = font_open(options->fonts[i], &work->fonts[i]);
+    for (int i = 0; i < options->font_count && outcome == DONE; i++)
+        outcome = font_open(options->fonts[i], &work->fonts[i]);
     if (outcome == DONE) explain(work);
-    int asked = options->glyphs == MT_GLYPHS_FIRST ? 1 : 2;
-    if (outcome == DONE) outcome = characters_choose(options, work->fonts, asked, &work->chosen);
+    int asked = options->glyphs == MT_GLYPHS_FIRST ? 1 : options->font_count;
+    return outcome == DONE ? characters_choose(options, work->fonts, asked, &work->chosen) : outcome;
+}
+
+int work_begin(const cli_options *options, cli_work *work) {
+    int outcome = open_fonts(options, work);
     return outcome == DONE ? make_blend(work) : outcome;
+}
+
+int work_begin_variable(const cli_options *options, cli_work *work) {
+    int outcome = open_fonts(options, work);
+    return outcome == DONE ? make_variable(work) : outcome;
 }
 
 mt_status work_made(void *user) {
@@ -260,7 +302,8 @@ mt_status work_made(void *user) {
 void work_end(cli_work *work) {
     progress_erase(&work->bar);
     mt_blend_free(work->blend);
-    for (int i = 0; i < 2; i++) mt_font_close(work->fonts[i]);
+    mt_variable_free(work->variable);
+    for (int i = 0; i < work->options->font_count; i++) mt_font_close(work->fonts[i]);
     characters_free(&work->chosen);
     mt_free(work->failures);
 }

@@ -1,4 +1,4 @@
-/* What blend, strip, sheet and report have in common: two fonts, the characters asked for, and a blend that reports
+/* What blend, strip, sheet and report have in common: two fonts or more, the characters asked for, and a blend that reports
  * on itself. */
 #ifndef WORK_H
 #define WORK_H
@@ -14,8 +14,9 @@ typedef struct failure {
 
 typedef struct cli_work {
     const cli_options *options;
-    mt_font *fonts[2];
-    mt_blend *blend;
+    mt_font *fonts[MT_VARIABLE_FONTS_MAX]; /* as many as the options have */
+    mt_blend *blend;                       /* NULL for a variable font */
+    mt_variable *variable;                 /* NULL for a blend */
     characters chosen; /* those of --text or --chars that both fonts have; empty without either */
     progress bar;
     failure *failures; /* glyphs that could not be blended, each once */
@@ -42,6 +43,8 @@ int characters_choose(const cli_options *options, mt_font *const *fonts, int cou
 /* Opens both fonts and makes the blend, of the characters chosen, for `options->at_count` fonts. DONE or,
  * said, COULD_NOT; either way the work is to be ended. */
 int work_begin(const cli_options *options, cli_work *work);
+/* The same of all fonts' variable font. */
+int work_begin_variable(const cli_options *options, cli_work *work);
 /* Says which glyphs could not be blended, once all fonts are made. COULD_NOT with --strict and any of them,
  * otherwise DONE. */
 int work_failures(cli_work *work);
@@ -52,7 +55,7 @@ mt_status work_made(void *user);
 int work_fail(cli_work *work, mt_status status);
 void work_end(cli_work *work);
 
-/* "A and B" as the fonts were given, for messages; cut where it does not fit. */
+/* "A and B", or "A, B and C", as the fonts were given, for messages; cut where it does not fit. */
 void work_name(const cli_options *options, char *text, size_t room);
 
 #endif

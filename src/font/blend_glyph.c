@@ -12,8 +12,7 @@ static mt_status read_metrics(mt_font *font, uint32_t glyph, double *advance, mt
     return across == MT_NO_MEMORY || down == MT_NO_MEMORY ? MT_NO_MEMORY : MT_OK;
 }
 
-/* A glyph that B has not has A's on both sides. */
-static mt_status read_both_metrics(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair) {
+mt_status mt_job_read_metrics(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair) {
     mt_job *job = worker->job;
     bool alone = p.b == MT_NO_PARTNER;
     pthread_mutex_lock(&job->fonts);
@@ -25,15 +24,16 @@ static mt_status read_both_metrics(mt_worker *worker, mt_pairing p, mt_glyph_pai
     return in_a != MT_OK ? in_a : in_b;
 }
 
-/* Both sides' shapes; a side that cannot be read has none, and its status is returned. */
-static mt_status read_sides(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair) {
+mt_status mt_job_read_shapes(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair) {
     mt_job *job = worker->job;
     const mt_params *params = &job->blend->params;
+    mt_status in_b = MT_OK;
     pthread_mutex_lock(&job->fonts);
     mt_status in_a =
         mt_glyph_shape(job->blend->a, p.a, params->tolerance, &worker->scratch, &pair->a, &pair->advance_a);
-    mt_status in_b =
-        mt_glyph_shape(job->blend->b, p.b, params->tolerance, &worker->scratch, &pair->b, &pair->advance_b);
+    if (p.b != MT_NO_PARTNER)
+        in_b = mt_glyph_shape(job->blend->b, p.b, params->tolerance, &worker->scratch, &pair->b,
+                              &pair->advance_b);
     pthread_mutex_unlock(&job->fonts);
     return in_a != MT_OK ? in_a : in_b;
 }
@@ -136,23 +136,21 @@ static mt_status fall_back(mt_worker *worker, const mt_glyph_pair *pair, int gly
 }
 
 /* A glyph that B has not: A's own, at all T. */
-static mt_status keep_own(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair, int glyph) {
+static mt_status keep_own(mt_worker *worker, const mt_glyph_pair *pair, int glyph) {
     mt_job *job = worker->job;
-    const mt_params *params = &job->blend->params;
     mt_outline outline = {0};
-    pthread_mutex_lock(&job->fonts);
-    mt_status status =
-        mt_glyph_shape(job->blend->a, p.a, params->tolerance, &worker->scratch, &pair->a, &pair->advance_a);
-    pthread_mutex_unlock(&job->fonts);
-    if (status == MT_OK) status = mt_shape_outline(&pair->a, params, &worker->scratch, &outline);
+    mt_status status = mt_shape_outline(&pair->a, &job->blend->params, &worker->scratch, &outline);
     for (int i = 0; i < job->t_count && status == MT_OK; i++)
         status = keep_outline(worker, &outline, pair, glyph, i);
     return status;
 }
 
-static void report_failure(mt_job *job, uint32_t code_point, mt_status why) {
+/* Nobody asks for .notdef by name. */
+void mt_job_report(mt_job *job, int glyph, mt_status why) {
+    if (glyph == 0) return;
     pthread_mutex_lock(&job->fonts);
-    if (job->blend->failed) job->blend->failed(code_point, why, job->blend->failed_user);
+    if (job->blend->failed)
+        job->blend->failed(job->charset->glyphs[glyph].code_point, why, job->blend->failed_user);
     pthread_mutex_unlock(&job->fonts);
 }
 
@@ -161,20 +159,21 @@ static mt_status draw_whole(mt_worker *worker, mt_glyph_pair *pair, int glyph) {
     const mt_blend *blend = worker->job->blend;
     mt_hints hints = mt_hint_index_find(blend->hints, p.a, p.b);
     bool alone = p.b == MT_NO_PARTNER;
-    mt_status status = alone ? keep_own(worker, p, pair, glyph) : read_sides(worker, p, pair);
+    mt_status status = mt_job_read_shapes(worker, p, pair);
+    if (status == MT_OK && alone) status = keep_own(worker, pair, glyph);
     if (status == MT_OK && !alone)
         status = mt_morph_prepare(&pair->a, &pair->b, &hints, &blend->params, &worker->scratch, &pair->morph);
     if (status == MT_OK && !alone) status = blend_pair(worker, pair, glyph);
     if (status == MT_OK || status == MT_NO_MEMORY) return status;
     worker->job->failed[glyph] = true;
-    if (glyph != 0) report_failure(worker->job, p.code_point, status); /* nobody asks for .notdef by name */
+    mt_job_report(worker->job, glyph, status);
     return fall_back(worker, pair, glyph);
 }
 
 mt_status mt_job_glyph(mt_worker *worker, int glyph) {
     mt_glyph_pair pair = {0};
     bool whole = false;
-    mt_status status = read_both_metrics(worker, worker->job->charset->glyphs[glyph], &pair);
+    mt_status status = mt_job_read_metrics(worker, worker->job->charset->glyphs[glyph], &pair);
     if (status == MT_OK) status = assemble(worker, &pair, glyph, &whole);
     return status == MT_OK && whole ? draw_whole(worker, &pair, glyph) : status;
 }

@@ -15,6 +15,7 @@
 #include "font/extent.h"
 #include "font/pair.h"
 #include "font/save.h"
+#include "font/span.h"
 #include "layout/gsub_subset.h"
 #include "layout/kerning.h"
 
@@ -32,8 +33,12 @@ struct mt_blend {
     void *failed_user, *progress_user;
 };
 
+typedef struct mt_worker mt_worker;
+
 typedef struct mt_job {
     mt_blend *blend;
+    mt_status (*make)(mt_worker *worker,
+                      int glyph); /* makes one glyph; only what ends the whole run is returned */
     const mt_charset *charset;
     const double *t;
     int t_count, units;
@@ -42,9 +47,13 @@ typedef struct mt_job {
     mt_layout_tables layout;
     const char **glyph_names; /* NULL: none */
     mt_positions *positions;
-    mt_glyf **glyphs;    /* for each T, one for each glyph of the charset */
-    mt_extent **extents; /* as many */
-    bool *failed;        /* for each glyph: it could not be blended */
+    mt_worker *workers; /* of a variable font, whose passages belong to them */
+    int worker_count;
+    int from, to;         /* of a variable font: the part of the axis between these two fonts */
+    mt_passage *passages; /* of a variable font: one for each glyph; its T are none */
+    mt_glyf **glyphs;     /* for each T, one for each glyph of the charset */
+    mt_extent **extents;  /* as many */
+    bool *failed;         /* for each glyph: it could not be blended */
     mt_composite *composites;
     int *order; /* the glyphs by depth */
     int end;    /* of the depth at hand, in the order */
@@ -53,10 +62,10 @@ typedef struct mt_job {
     pthread_mutex_t fonts; /* FreeType's faces are not for two threads at once; neither are the callbacks */
 } mt_job;
 
-typedef struct mt_worker {
+struct mt_worker {
     mt_job *job;
     mt_arena scratch, kept;
-} mt_worker;
+};
 
 /* A place between the fonts; false for a NaN. */
 static inline bool mt_is_place(double t) {
@@ -70,6 +79,20 @@ static inline double mt_mixed_advance(const mt_glyph_pair *pair, double t) {
 
 /* blend_glyph.c: one glyph at every T, its parts made. Only what ends the whole run is returned. */
 mt_status mt_job_glyph(mt_worker *worker, int glyph);
+/* Its metrics in both fonts, 0 where they cannot be read; where B has it not, A's on both sides. MT_NO_MEMORY. */
+mt_status mt_job_read_metrics(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair);
+/* Its shapes in both fonts, or in A alone where B has it not; one that cannot be read is empty, and its status is returned. */
+mt_status mt_job_read_shapes(mt_worker *worker, mt_pairing p, mt_glyph_pair *pair);
+void mt_job_report(mt_job *job, int glyph, mt_status why); /* that it could not be blended */
+
+/* variable_glyph.c: one glyph on its way from A to B, as contours that move. Only what ends the whole run is returned. */
+mt_status mt_job_moving_glyph(mt_worker *worker, int glyph);
+
+/* blend_make.c: room for what the glyphs of the charset become, which of them are composites, and their order. */
+mt_status mt_job_start(mt_job *job, mt_arena *arena);
+/* The first font's substitutions and the names, for the glyphs that are kept. */
+mt_status mt_job_layout(mt_job *job, mt_arena *arena);
+void mt_add_extra(mt_font_data *data, uint32_t tag, mt_bytes table); /* unless it is empty */
 
 /* blend_run.c: all glyphs, by the workers, whose results belong to them. `composites` and `order` must be set. */
 int mt_job_worker_count(const mt_job *job);

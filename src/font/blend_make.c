@@ -7,7 +7,7 @@
 
 /* ---- one font ------------------------------------------------------------------------------------------ */
 
-static void add_extra(mt_font_data *data, uint32_t tag, mt_bytes table) {
+void mt_add_extra(mt_font_data *data, uint32_t tag, mt_bytes table) {
     if (table.length) data->extras[data->extra_count++] = (mt_extra_table){tag, table};
 }
 
@@ -19,7 +19,7 @@ static mt_status add_positions(const mt_job *job, double t, mt_arena *arena, mt_
     mt_status status = mt_positions_write(job->positions, t, arena, &gpos);
     if (status == MT_OK) status = mt_positions_kerning(job->positions, t, arena, kerning);
     if (status != MT_OK) return status;
-    add_extra(data, MT_TAG('G', 'P', 'O', 'S'), gpos);
+    mt_add_extra(data, MT_TAG('G', 'P', 'O', 'S'), gpos);
     data->kerning = kerning;
     return MT_OK;
 }
@@ -34,8 +34,8 @@ static mt_status hand_over(const mt_job *job, int i, mt_arena *arena) {
                          .variant_count = charset->variant_count,
                          .variants = charset->variants,
                          .glyph_names = job->glyph_names};
-    add_extra(&data, MT_TAG('G', 'S', 'U', 'B'), job->layout.gsub);
-    add_extra(&data, MT_TAG('G', 'D', 'E', 'F'), job->layout.gdef);
+    mt_add_extra(&data, MT_TAG('G', 'S', 'U', 'B'), job->layout.gsub);
+    mt_add_extra(&data, MT_TAG('G', 'D', 'E', 'F'), job->layout.gdef);
     mt_status status =
         mt_recipe_fill(job->blend->a, job->blend->b, job->t[i], job->blend->family, arena, &data);
     if (status == MT_OK) status = add_positions(job, job->t[i], arena, &data);
@@ -50,8 +50,7 @@ static mt_status hand_over_all(const mt_job *job, mt_arena *arena) {
 
 /* ---- all of them --------------------------------------------------------------------------------------- */
 
-/* The first font's substitutions and the names, for the glyphs that are kept. */
-static mt_status make_layout(mt_job *job, mt_arena *arena) {
+mt_status mt_job_layout(mt_job *job, mt_arena *arena) {
     const mt_charset *charset = job->charset;
     uint16_t *kept = mt_arena_new(arena, (size_t)charset->primary_count, sizeof *kept);
     if (!kept) return MT_NO_MEMORY;
@@ -62,7 +61,7 @@ static mt_status make_layout(mt_job *job, mt_arena *arena) {
     return mt_glyph_names_make(job->blend->a, charset, arena, &job->glyph_names);
 }
 
-static mt_status start_job(mt_job *job, mt_arena *arena) {
+mt_status mt_job_start(mt_job *job, mt_arena *arena) {
     job->blend->unblended = job->charset->unblended_count;
     size_t places = (size_t)job->t_count, glyphs = (size_t)job->charset->glyph_count;
     job->glyphs = mt_arena_new(arena, places, sizeof *job->glyphs);
@@ -80,7 +79,7 @@ static mt_status start_job(mt_job *job, mt_arena *arena) {
         mt_composites_find(blend->a, blend->b, job->charset, blend->hints, arena, &job->composites);
     if (status != MT_OK) return status;
     mt_job_order(job);
-    return make_layout(job, arena);
+    return MT_OK;
 }
 
 static mt_status make_fonts(mt_job *job, mt_arena *arena) {
@@ -89,7 +88,8 @@ static mt_status make_fonts(mt_job *job, mt_arena *arena) {
     mt_charset_request request = {blend->wanted, blend->wanted_count, blend->set};
     mt_status status = mt_charset_make(blend->a, blend->b, &request, arena, &charset);
     job->charset = &charset;
-    if (status == MT_OK) status = start_job(job, arena);
+    if (status == MT_OK) status = mt_job_start(job, arena);
+    if (status == MT_OK) status = mt_job_layout(job, arena);
     if (status == MT_OK)
         status = mt_positions_prepare(blend->a, blend->b, &charset, job->units, arena, &job->positions);
     if (status != MT_OK) return status;
@@ -107,6 +107,7 @@ mt_status mt_blend_make(mt_blend *blend, const double *t, int count, mt_font_rea
         if (!mt_is_place(t[i])) return MT_BAD_PARAMETER;
     mt_arena arena = {0};
     mt_job job = {.blend = blend,
+                  .make = mt_job_glyph,
                   .t = t,
                   .t_count = count,
                   .units = mt_blend_units_per_em(blend),

@@ -17,7 +17,7 @@ static void *work(void *argument) {
     for (;;) {
         int turn = atomic_fetch_add(&job->next, 1);
         if (turn >= job->end || atomic_load(&job->status) != MT_OK) break;
-        mt_status status = mt_job_glyph(worker, job->order[turn]);
+        mt_status status = job->make(worker, job->order[turn]);
         mt_arena_reset(&worker->scratch);
         if (status != MT_OK)
             atomic_store(&job->status, (int)status);

@@ -101,7 +101,8 @@ static mt_status prepare(mt_products *products) {
         mt_product *product = &products->list[i];
         product->path = saving->paths[i];
         bool known = mt_font_format_of(product->path, &product->format);
-        mt_status status = known ? mt_save_check(product->path) : MT_UNKNOWN_FORMAT;
+        bool fits = known && (saving->t || product->format != MT_FONT_UFO); /* a UFO does not vary */
+        mt_status status = fits ? mt_save_check(product->path) : MT_UNKNOWN_FORMAT;
         if (status != MT_OK) return note(products, i, status);
     }
     return MT_OK;
@@ -126,11 +127,14 @@ static mt_status place(mt_products *products) {
     return MT_OK;
 }
 
-mt_status mt_blend_save_when(mt_blend *blend, const mt_saving *saving, int *failed) {
+/* Makes the fonts that are saved, from `source`, and hands them to `keep`. */
+typedef mt_status (*mt_make_fonts)(void *source, mt_products *products);
+
+static mt_status save_when(void *source, mt_make_fonts make, const mt_saving *saving, int *failed) {
     mt_products products = {saving, mt_new((size_t)saving->count, sizeof *products.list), -1};
     if (!products.list) return MT_NO_MEMORY;
     mt_status status = prepare(&products);
-    if (status == MT_OK) status = mt_blend_make(blend, saving->t, saving->count, keep, &products);
+    if (status == MT_OK) status = make(source, &products);
     if (status == MT_OK && saving->made) status = saving->made(saving->user);
     if (status == MT_OK) status = place(&products);
     int why = errno;
@@ -139,6 +143,28 @@ mt_status mt_blend_save_when(mt_blend *blend, const mt_saving *saving, int *fail
     if (failed) *failed = products.failed;
     errno = why;
     return status;
+}
+
+static mt_status make_blends(void *blend, mt_products *products) {
+    const mt_saving *saving = products->saving;
+    return mt_blend_make(blend, saving->t, saving->count, keep, products);
+}
+
+mt_status mt_blend_save_when(mt_blend *blend, const mt_saving *saving, int *failed) {
+    return save_when(blend, make_blends, saving, failed);
+}
+
+static mt_status make_variable(void *variable, mt_products *products) {
+    return mt_variable_make(variable, keep, products);
+}
+
+mt_status mt_variable_save_when(mt_variable *variable, const mt_saving *saving, int *failed) {
+    return save_when(variable, make_variable, saving, failed);
+}
+
+mt_status mt_variable_save(mt_variable *variable, const char *path) {
+    const mt_saving saving = {.count = 1, .paths = &path};
+    return mt_variable_save_when(variable, &saving, NULL);
 }
 
 mt_status mt_blend_save_fonts(mt_blend *blend, const double *t, int count, const char *const *paths) {

@@ -23,8 +23,11 @@ typedef mt_status (*mt_font_ready)(const mt_font_data *data, int index, void *us
 /* blend_make.c: makes fonts at `count` places and hands them to `ready`, which may end the run with its status. */
 mt_status mt_blend_make(mt_blend *blend, const double *t, int count, mt_font_ready ready, void *user);
 
+/* variable_make.c: makes the variable font and hands it to `ready`, with index 0. */
+mt_status mt_variable_make(mt_variable *variable, mt_font_ready ready, void *user);
+
 typedef struct mt_saving {
-    const double *t;
+    const double *t; /* NULL for a variable font, of which there is one */
     int count;
     const char *const *paths; /* one for each T */
     mt_status (*made)(
@@ -38,5 +41,7 @@ typedef struct mt_saving {
  * which could not be written or is too large; -1 for other errors. What mt_blend_fonts gives, and MT_UNKNOWN_FORMAT,
  * MT_CANNOT_WRITE (errno says why). */
 mt_status mt_blend_save_when(mt_blend *blend, const mt_saving *saving, int *failed);
+/* The same of a variable font. */
+mt_status mt_variable_save_when(mt_variable *variable, const mt_saving *saving, int *failed);
 
 #endif

@@ -32,6 +32,9 @@ enum {
     MT_NAME_LICENSE_URL = 14,
     MT_NAME_TYPOGRAPHIC_FAMILY = 16,
     MT_NAME_TYPOGRAPHIC_STYLE = 17,
+    MT_NAME_VARIATIONS_PREFIX = 25, /* what the PostScript names of a variable font's places begin with */
+    MT_NAME_AXIS = 256,             /* from here on the font's own: its axis, … */
+    MT_NAME_PLACES = 257,           /* … and its named places, one after another */
 };
 
 /* Whether every table of face `face` lies within the file's bytes: false for a file cut short. True for what

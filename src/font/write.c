@@ -18,6 +18,7 @@ static const struct {
     {HB_TAG('m', 'a', 'x', 'p'), mt_write_maxp}, {HB_TAG('O', 'S', '/', '2'), mt_write_os2},
     {HB_TAG('p', 'o', 's', 't'), mt_write_post}, {HB_TAG('n', 'a', 'm', 'e'), mt_write_name},
     {HB_TAG('g', 'a', 's', 'p'), mt_write_gasp}, {HB_TAG('p', 'r', 'e', 'p'), mt_write_prep},
+    {HB_TAG('f', 'v', 'a', 'r'), mt_write_fvar}, {HB_TAG('S', 'T', 'A', 'T'), mt_write_stat},
     {HB_TAG('v', 'm', 't', 'x'), mt_write_vmtx}, {HB_TAG('v', 'h', 'e', 'a'), mt_write_vhea},
 };
 
@@ -61,9 +62,10 @@ static mt_status copy_blob(hb_blob_t *blob, uint8_t **bytes, size_t *length) {
     return MT_OK;
 }
 
-static mt_status assemble(const mt_font_data *data, const mt_table *tables, uint8_t **bytes, size_t *length) {
+static mt_status assemble(const mt_font_data *data, const mt_table *tables, const mt_table *gvar,
+                          uint8_t **bytes, size_t *length) {
     hb_face_t *builder = hb_face_builder_create();
-    bool added = true;
+    bool added = add_table(builder, HB_TAG('g', 'v', 'a', 'r'), (mt_bytes){gvar->bytes, gvar->length});
     for (int i = 0; i < TABLE_COUNT && added; i++)
         added = add_table(builder, writers[i].tag, (mt_bytes){tables[i].bytes, tables[i].length});
     for (int i = 0; i < data->extra_count && added; i++)
@@ -92,13 +94,15 @@ static mt_status begin_summary(const mt_font_data *data, mt_summary *summary) {
 }
 
 mt_status mt_font_write(const mt_font_data *data, uint8_t **bytes, size_t *length) {
-    mt_table tables[TABLE_COUNT] = {0};
+    mt_table tables[TABLE_COUNT] = {0}, gvar = {0};
     mt_summary summary = {0};
     mt_status status = mt_font_data_check(data);
     if (status != MT_OK) return status;
     status = begin_summary(data, &summary);
     if (status == MT_OK) status = write_tables(data, &summary, tables);
-    if (status == MT_OK) status = assemble(data, tables, bytes, length);
+    if (status == MT_OK) status = mt_write_gvar(data, &gvar);
+    if (status == MT_OK) status = assemble(data, tables, &gvar, bytes, length);
+    mt_table_free(&gvar);
     for (int i = 0; i < TABLE_COUNT; i++) mt_table_free(&tables[i]);
     mt_free(summary.offsets);
     mt_free(summary.extents);

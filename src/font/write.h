@@ -3,6 +3,7 @@
 #define MT_WRITE_H
 
 #include "font/font.h"
+#include "font/variation.h"
 
 typedef struct mt_glyf_point {
     int16_t x, y;
@@ -26,6 +27,7 @@ typedef struct mt_glyf {
     mt_glyf_point *points;
     int reference_count; /* over 0: the glyph is a composite and has no contours of its own */
     mt_glyf_reference *references;
+    bool overlaps; /* contours, or parts, may lie over one another */
 } mt_glyf;
 
 typedef struct mt_char {
@@ -60,6 +62,7 @@ typedef struct mt_font_data {
     int64_t created, modified; /* seconds since 1904 */
     uint16_t embedding;        /* OS/2 fsType */
     const char **glyph_names; /* one a glyph, 1 … MT_GLYPH_NAME_MAX printable ASCII characters; NULL: none */
+    const mt_variation *variation;    /* NULL: the font does not vary */
     const struct mt_kerning *kerning; /* for a UFO, which has no GPOS; NULL: none */
     int extra_count;
     mt_extra_table extras[MT_EXTRA_TABLES_MAX]; /* none of a tag that is written here, none empty */
@@ -69,7 +72,7 @@ typedef struct mt_font_data {
 } mt_font_data;
 
 /* Writes glyf, loca, hmtx, cmap (formats 4 and 12), head, hhea, maxp, OS/2, post, name, gasp, prep, with vertical metrics
- * vhea and vmtx, and the extra tables, into bytes for mt_bytes_free. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_PARAMETER. */
+ * vhea and vmtx, of a font that varies fvar, gvar and STAT, and the extra tables, into bytes for mt_bytes_free. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_PARAMETER. */
 mt_status mt_font_write(const mt_font_data *data, uint8_t **bytes, size_t *length);
 
 #endif

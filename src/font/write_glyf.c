@@ -5,7 +5,15 @@
  */
 #include "write_tables.h"
 
-enum { ON_CURVE = 1, X_SHORT = 2, Y_SHORT = 4, REPEAT = 8, X_SAME_OR_POSITIVE = 16, Y_SAME_OR_POSITIVE = 32 };
+enum {
+    ON_CURVE = 1,
+    X_SHORT = 2,
+    Y_SHORT = 4,
+    REPEAT = 8,
+    X_SAME_OR_POSITIVE = 16,
+    Y_SAME_OR_POSITIVE = 32,
+    OVERLAP_SIMPLE = 64
+};
 enum { REPEATS_MAX = 255, ALIGNMENT = 2 };
 
 /* Short offsets are stored halved, in 16 bits. */
@@ -17,17 +25,19 @@ static unsigned axis_flag(int difference, unsigned is_short, unsigned same_or_po
     return difference > 0 ? is_short | same_or_positive : is_short;
 }
 
-static unsigned point_flag(const mt_glyf_point *points, int i) {
+/* The flag that contours overlap stands at the first point. */
+static unsigned point_flag(const mt_glyf *glyph, int i) {
+    const mt_glyf_point *points = glyph->points;
     int dx = points[i].x - (i ? points[i - 1].x : 0), dy = points[i].y - (i ? points[i - 1].y : 0);
-    return (points[i].on ? ON_CURVE : 0u) | axis_flag(dx, X_SHORT, X_SAME_OR_POSITIVE) |
-           axis_flag(dy, Y_SHORT, Y_SAME_OR_POSITIVE);
+    return (points[i].on ? ON_CURVE : 0u) | (i == 0 && glyph->overlaps ? OVERLAP_SIMPLE : 0u) |
+           axis_flag(dx, X_SHORT, X_SAME_OR_POSITIVE) | axis_flag(dy, Y_SHORT, Y_SAME_OR_POSITIVE);
 }
 
-static void write_flags(const mt_glyf_point *points, int count, mt_table *table) {
+static void write_flags(const mt_glyf *glyph, int count, mt_table *table) {
     for (int i = 0, next; i < count; i = next) {
-        unsigned flag = point_flag(points, i);
+        unsigned flag = point_flag(glyph, i);
         for (next = i + 1; next < count && next - i <= REPEATS_MAX; next++)
-            if (point_flag(points, next) != flag) break;
+            if (point_flag(glyph, next) != flag) break;
         unsigned repeats = (unsigned)(next - i - 1);
         mt_table_u8(table, repeats ? flag | REPEAT : flag);
         if (repeats) mt_table_u8(table, repeats);
@@ -42,8 +52,10 @@ static void write_difference(int difference, mt_table *table) {
         mt_table_u8(table, (unsigned)(difference < 0 ? -difference : difference));
 }
 
-static void write_points(const mt_glyf_point *points, int count, mt_table *table) {
-    write_flags(points, count, table);
+static void write_points(const mt_glyf *glyph, mt_table *table) {
+    const mt_glyf_point *points = glyph->points;
+    int count = mt_glyf_point_count(glyph);
+    write_flags(glyph, count, table);
     for (int i = 0; i < count; i++) write_difference(points[i].x - (i ? points[i - 1].x : 0), table);
     for (int i = 0; i < count; i++) write_difference(points[i].y - (i ? points[i - 1].y : 0), table);
 }
@@ -58,18 +70,21 @@ static void write_bounds(const mt_bounds *bounds, mt_table *table) {
 static void write_contours(const mt_glyf *glyph, mt_table *table) {
     for (int i = 0; i < glyph->contour_count; i++) mt_table_16(table, glyph->ends[i]);
     mt_table_16(table, 0); /* no instructions */
-    write_points(glyph->points, mt_glyf_point_count(glyph), table);
+    write_points(glyph, table);
 }
 
 static bool is_byte(int offset) {
     return offset >= INT8_MIN && offset <= INT8_MAX;
 }
 
-static void write_reference(const mt_glyf_reference *reference, bool last, mt_table *table) {
-    enum { WORDS = 1, OFFSETS = 2, MORE = 0x20, USE_MY_METRICS = 0x200 };
+static void write_reference(const mt_glyf *glyph, int i, mt_table *table) {
+    enum { WORDS = 1, OFFSETS = 2, MORE = 0x20, USE_MY_METRICS = 0x200, OVERLAP_COMPOUND = 0x400 };
+    const mt_glyf_reference *reference = &glyph->references[i];
+    bool last = i == glyph->reference_count - 1;
     bool words = !is_byte(reference->dx) || !is_byte(reference->dy);
     mt_table_16(table, OFFSETS | (words ? WORDS : 0) | (last ? 0 : MORE) |
-                           (reference->same_metrics ? USE_MY_METRICS : 0));
+                           (reference->same_metrics ? USE_MY_METRICS : 0) |
+                           (i == 0 && glyph->overlaps ? OVERLAP_COMPOUND : 0));
     mt_table_16(table, reference->glyph);
     if (words) {
         mt_table_16(table, reference->dx);
@@ -85,8 +100,7 @@ static void write_glyph(const mt_glyf *glyph, const mt_extent *extent, mt_table 
     if (extent->points == 0) return;
     mt_table_16(table, glyph->reference_count ? COMPOSITE : glyph->contour_count);
     write_bounds(&extent->bounds, table);
-    for (int i = 0; i < glyph->reference_count; i++)
-        write_reference(&glyph->references[i], i == glyph->reference_count - 1, table);
+    for (int i = 0; i < glyph->reference_count; i++) write_reference(glyph, i, table);
     if (glyph->reference_count == 0) write_contours(glyph, table);
     mt_table_zeros(table, (int)(table->length % ALIGNMENT));
 }

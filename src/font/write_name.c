@@ -72,6 +72,20 @@ static void add_postscript_name(const mt_font_data *data, mt_naming *naming) {
     add_name(MT_NAME_POSTSCRIPT, name, NULL, naming);
 }
 
+/* ---- the axis ---------------------------------------------------------------------------------------------
+ */
+
+/* Of the family alone, without what stands for another character. */
+static void add_axis_names(const mt_font_data *data, mt_naming *naming) {
+    const mt_variation *variation = data->variation;
+    char prefix[MT_POSTSCRIPT_NAME_ROOM];
+    copy_printable(data->family, POSTSCRIPT_MAX - POSTSCRIPT_STYLE_MAX, prefix);
+    add_name(MT_NAME_VARIATIONS_PREFIX, prefix, NULL, naming);
+    add_name(MT_NAME_AXIS, variation->name, NULL, naming);
+    for (int i = 0; i < variation->named_count; i++)
+        add_name(MT_NAME_PLACES + i, variation->named[i].name, NULL, naming);
+}
+
 /* ---- the table --------------------------------------------------------------------------------------------
  */
 
@@ -90,9 +104,11 @@ static void add_names(const mt_font_data *data, const mt_summary *summary, mt_na
     add_name(MT_NAME_DESCRIPTION, data->description, NULL, naming);
     add_name(MT_NAME_LICENSE, data->license, NULL, naming);
     add_name(MT_NAME_LICENSE_URL, data->license_url, NULL, naming);
-    if (is_linked) return;
-    add_name(MT_NAME_TYPOGRAPHIC_FAMILY, data->family, NULL, naming);
-    add_name(MT_NAME_TYPOGRAPHIC_STYLE, data->style, NULL, naming);
+    if (!is_linked) {
+        add_name(MT_NAME_TYPOGRAPHIC_FAMILY, data->family, NULL, naming);
+        add_name(MT_NAME_TYPOGRAPHIC_STYLE, data->style, NULL, naming);
+    }
+    if (data->variation) add_axis_names(data, naming);
 }
 
 void mt_write_name(const mt_font_data *data, const mt_summary *summary, mt_table *table) {

@@ -46,6 +46,12 @@ void mt_write_prep(const mt_font_data *data, const mt_summary *summary, mt_table
 void mt_write_vhea(const mt_font_data *data, const mt_summary *summary, mt_table *table);
 void mt_write_vmtx(const mt_font_data *data, const mt_summary *summary, mt_table *table);
 
+/* Nothing where the font does not vary. */
+void mt_write_fvar(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+void mt_write_stat(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+/* MT_NO_MEMORY, MT_TOO_LARGE for what the table has no room for. */
+mt_status mt_write_gvar(const mt_font_data *data, mt_table *table);
+
 /* write_vmtx.c: the top side bearing. */
 int mt_top_bearing(const mt_glyf *glyph, const mt_extent *extent);
 

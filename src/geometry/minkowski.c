@@ -73,24 +73,52 @@ static int64_t which(const mt_ring *p, int i, int p_left, const mt_ring *q, int 
     return mt_cross(a, b, c, d);
 }
 
+/* Where the merge is: at vertex i of p and j of q, with so many edges left of each. */
+typedef struct mt_merge {
+    const mt_ring *p, *q;
+    int i, j, p_left, q_left;
+} mt_merge;
+
+static mt_merge begin_merge(const mt_ring *p, const mt_ring *q) {
+    return (mt_merge){p, q, lowest(p), lowest(q), p->count, q->count};
+}
+
+static bool is_merging(const mt_merge *m) {
+    return m->p_left > 0 || m->q_left > 0;
+}
+
+static int64_t next_edge(const mt_merge *m) {
+    return which(m->p, m->i, m->p_left, m->q, m->j, m->q_left);
+}
+
+static void pass_edge(mt_merge *m, int64_t first) {
+    if (first >= 0) {
+        m->i = after(m->p, m->i);
+        m->p_left--;
+    }
+    if (first <= 0) {
+        m->j = after(m->q, m->j);
+        m->q_left--;
+    }
+}
+
 void mt_minkowski(const mt_ring *p, const mt_ring *q, mt_weights weights, mt_ring *sum) {
-    int i = lowest(p), j = lowest(q), p_left = p->count, q_left = q->count;
     sum->count = 0;
-    while (p_left > 0 || q_left > 0) {
-        int64_t first = which(p, i, p_left, q, j, q_left);
-        add(sum, mt_mix(weights, p->points[i], q->points[j]),
-            joint_marks(weights, p->marks[i], q->marks[j], first));
-        if (first >= 0) {
-            i = after(p, i);
-            p_left--;
-        }
-        if (first <= 0) {
-            j = after(q, j);
-            q_left--;
-        }
+    for (mt_merge m = begin_merge(p, q); is_merging(&m);) {
+        int64_t first = next_edge(&m);
+        add(sum, mt_mix(weights, p->points[m.i], q->points[m.j]),
+            joint_marks(weights, p->marks[m.i], q->marks[m.j], first));
+        pass_edge(&m, first);
     }
     while (sum->count > 1 && mt_point_equal(sum->points[0], sum->points[sum->count - 1])) {
         sum->count--;
         sum->marks[0] |= sum->marks[sum->count] & MT_POINT_MARKS;
     }
+}
+
+int mt_minkowski_corners(const mt_ring *p, const mt_ring *q, mt_corner *corners) {
+    int count = 0;
+    for (mt_merge m = begin_merge(p, q); is_merging(&m); pass_edge(&m, next_edge(&m)))
+        corners[count++] = (mt_corner){m.i, m.j};
+    return count;
 }

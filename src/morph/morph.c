@@ -159,13 +159,6 @@ static mt_status mix_contours(const mt_morph *morph, mt_weights weights, int mor
     return MT_OK;
 }
 
-/* Formula (5): back by (1 - r) q. */
-static mt_point turn_back(const mt_morph *morph, mt_weights weights, mt_point p) {
-    if (morph->degrees == 0) return p;
-    mt_point centre = mt_mix(weights, mt_box_middle(morph->a.box), mt_box_middle(morph->b.box));
-    return mt_turn(p, centre, morph->degrees * weights.b / MT_WEIGHT_ONE);
-}
-
 mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, const mt_params *params, mt_arena *arena,
                          mt_shape *blend) {
     mt_outline aligned;
@@ -177,7 +170,7 @@ mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, const mt_par
     for (int i = 0; i < flat.count; i++) all.rings[all.count++] = flat.rings[i];
     for (int i = 0; i < all.count; i++)
         for (int k = 0; k < all.rings[i].count; k++)
-            all.rings[i].points[k] = turn_back(morph, weights, all.rings[i].points[k]);
+            all.rings[i].points[k] = mt_morph_turn(morph, weights, all.rings[i].points[k]);
     return mt_union(&all, arena, blend);
 }
 
@@ -210,8 +203,8 @@ static void turn_outline_back(const mt_morph *morph, mt_weights weights, mt_outl
     for (int i = 0; i < outline->count; i++)
         for (int k = 0; k < outline->contours[i].count; k++) {
             mt_segment *s = &outline->contours[i].segments[k];
-            s->end = turn_back(morph, weights, s->end);
-            s->control[0] = turn_back(morph, weights, s->control[0]);
+            s->end = mt_morph_turn(morph, weights, s->end);
+            s->control[0] = mt_morph_turn(morph, weights, s->control[0]);
         }
 }
 

@@ -57,6 +57,12 @@ mt_status mt_shape_turn(const mt_shape *shape, mt_point centre, double degrees, 
     return MT_OK;
 }
 
+mt_point mt_morph_turn(const mt_morph *morph, mt_weights weights, mt_point p) {
+    if (morph->degrees == 0) return p;
+    mt_point centre = mt_mix(weights, mt_box_middle(morph->a.box), mt_box_middle(morph->b.box));
+    return mt_turn(p, centre, morph->degrees * weights.b / MT_WEIGHT_ONE);
+}
+
 /* ---- principal axes ------------------------------------------------------------------------------------ */
 
 /* The axis as a vector at twice its angle, whose length is how much the shape is longer than wide (0 … 1). */

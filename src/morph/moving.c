@@ -1,0 +1,99 @@
+#include "morph/moving.h"
+
+#include <math.h>
+
+#include "geometry/limits.h"
+#include "morph/align.h"
+#include "morph/masters.h"
+#include "morph/rotation.h"
+
+/* ---- links --------------------------------------------------------------------------------------------- */
+
+/* The corners of the sum, as an alignment of the two pieces. */
+static mt_status align_link(const mt_ring *p, const mt_ring *q, mt_arena *arena, mt_alignment *alignment) {
+    size_t room = (size_t)p->count + (size_t)q->count;
+    mt_corner *corners = mt_arena_new(arena, room, sizeof *corners);
+    mt_link *steps = mt_arena_new(arena, room, sizeof *steps);
+    if (!corners || !steps) return MT_NO_MEMORY;
+    int count = mt_minkowski_corners(p, q, corners);
+    for (int i = 0; i < count; i++) steps[i] = (mt_link){corners[i].p, corners[i].q};
+    *alignment = (mt_alignment){.count = count, .steps = steps};
+    return MT_OK;
+}
+
+static mt_status move_link(const mt_ring *p, const mt_ring *q, const mt_params *params, mt_arena *arena,
+                           mt_masters *masters) {
+    enum { VERTICES_ONLY = 1 };
+    mt_stops a, b;
+    mt_alignment alignment;
+    double chord = mt_grid_units(params->tolerance);
+    mt_status status = mt_ring_stops(p, chord, VERTICES_ONLY, arena, &a);
+    if (status == MT_OK) status = mt_ring_stops(q, chord, VERTICES_ONLY, arena, &b);
+    if (status == MT_OK) status = align_link(p, q, arena, &alignment);
+    if (status != MT_OK) return status;
+    return mt_masters_fit(&a, &b, &alignment, mt_grid_units(params->fit), arena, masters);
+}
+
+mt_status mt_moving_make(const mt_morph *morph, const mt_params *params, mt_arena *arena, mt_moving *moving) {
+    size_t room = (size_t)morph->contour_count + (size_t)morph->links.count;
+    mt_moving made = {morph->contour_count, mt_arena_new(arena, room, sizeof(mt_masters))};
+    if (!made.contours) return MT_NO_MEMORY;
+    for (int i = 0; i < morph->contour_count; i++) made.contours[i] = morph->contours[i];
+    for (int i = 0; i < morph->links.count; i++) {
+        mt_link link = morph->links.links[i];
+        mt_status status = move_link(&morph->a.pieces.rings[link.a], &morph->b.pieces.rings[link.b], params,
+                                     arena, &made.contours[made.count++]);
+        if (status != MT_OK) return status;
+    }
+    *moving = made;
+    return MT_OK;
+}
+
+/* ---- places on the way --------------------------------------------------------------------------------- */
+
+static void turn_contour(const mt_morph *morph, mt_weights weights, mt_contour *contour) {
+    for (int i = 0; i < contour->count; i++) {
+        mt_segment *s = &contour->segments[i];
+        s->control[0] = mt_morph_turn(morph, weights, s->control[0]);
+        s->end = mt_morph_turn(morph, weights, s->end);
+    }
+}
+
+mt_status mt_moving_at(const mt_morph *morph, const mt_moving *moving, mt_weights weights, mt_arena *arena,
+                       mt_outline *outline) {
+    mt_outline made = {moving->count, mt_arena_new(arena, (size_t)moving->count, sizeof(mt_contour))};
+    if (!made.contours) return MT_NO_MEMORY;
+    for (int i = 0; i < moving->count; i++) {
+        mt_status status = mt_masters_mix(&moving->contours[i], weights, arena, &made.contours[i]);
+        if (status != MT_OK) return status;
+        turn_contour(morph, weights, &made.contours[i]);
+    }
+    *outline = made;
+    return MT_OK;
+}
+
+/* ---- rotation ------------------------------------------------------------------------------------------ */
+
+/* How far a point is from the middle it is turned about, and how much of that changes on the way. */
+static void measure(mt_point a, mt_point middle_a, mt_point b, mt_point middle_b, double *radius,
+                    double *change) {
+    double ax = a.x - middle_a.x, ay = a.y - middle_a.y, bx = b.x - middle_b.x, by = b.y - middle_b.y;
+    *radius = fmax(*radius, fmax(hypot(ax, ay), hypot(bx, by)));
+    *change = fmax(*change, hypot(bx - ax, by - ay));
+}
+
+/* A point is turned by an angle that grows with T about a middle, as its distance from it changes evenly. The second derivative of
+ * its way is then at most q²·radius + 2q·change (q in radians), and a chord over 1/n of it departs by an eighth of that over n². */
+int mt_moving_steps(const mt_morph *morph, const mt_moving *moving, double bound) {
+    double radius = 0, change = 0, q = fabs(morph->degrees) * (M_PI / 180);
+    mt_point a = mt_box_middle(morph->a.box), b = mt_box_middle(morph->b.box);
+    if (morph->degrees == 0) return 1;
+    for (int i = 0; i < moving->count; i++)
+        for (int k = 0; k < moving->contours[i].a.count; k++) {
+            const mt_segment *s = &moving->contours[i].a.segments[k], *t = &moving->contours[i].b.segments[k];
+            measure(s->end, a, t->end, b, &radius, &change);
+            if (s->degree == 2) measure(s->control[0], a, t->control[0], b, &radius, &change);
+        }
+    double steps = ceil(sqrt((q * q * radius + 2 * q * change) / (8 * bound)));
+    return (int)fmin(fmax(steps, 1), MT_TURN_STEPS_MAX);
+}

@@ -1,0 +1,67 @@
+/* morphotype variable: one font that holds all between two fonts, or between more of them in a row. */
+#include "commands.h"
+#include "font/save.h"
+#include "messages.h"
+#include "work.h"
+
+/* An mt_warning. */
+static void warn(const char *line, void *user) {
+    (void)user;
+    say("%s", line);
+}
+
+static int save(cli_work *work) {
+    const cli_options *options = work->options;
+    size_t length;
+    int failed;
+    const mt_saving saving = {
+        .count = 1, .paths = &options->output, .made = work_made, .user = work, .lengths = &length};
+    mt_status status = mt_variable_save_when(work->variable, &saving, &failed);
+    if (status != MT_OK) return work_fail(work, status);
+    if (options->verbose) say("%s: %d fonts, %zu bytes", options->output, options->font_count, length);
+    return DONE;
+}
+
+static int make(cli_work *work) {
+    mt_status status = work->options->quiet ? MT_OK : mt_variable_warnings(work->variable, warn, NULL);
+    return status == MT_OK ? save(work) : work_fail(work, status);
+}
+
+static int check(const cli_options *options) {
+    mt_font_format format;
+    if (!options->output) return misuse(options->command, "-o OUT.ttf|woff2 is wanted");
+    if (!mt_font_format_of(options->output, &format) || format == MT_FONT_UFO)
+        return misuse(options->command, "-o %s: variable writes .ttf and .woff2", options->output);
+    mt_status status = mt_save_check(options->output);
+    return status == MT_OK ? directory_check(options->output) : fail_status(options->output, status);
+}
+
+static int run(cli_options *options) {
+    cli_work work;
+    int outcome = check(options);
+    if (outcome != DONE) return outcome;
+    outcome = work_begin_variable(options, &work);
+    if (outcome == DONE) outcome = make(&work);
+    work_end(&work);
+    return outcome;
+}
+
+const cli_command variable_command = {
+    .name = "variable",
+    .summary = "one variable font from any two fonts, or more",
+    .help = "usage: morphotype variable FONT FONT [FONT...] -o OUT.ttf|woff2 [OPTION...]\n"
+            "\n"
+            "Makes one font with an axis, MRPH, from 0 (the first font, and the default) to 100 (the last); "
+            "fonts in\n"
+            "between are evenly spaced on it. It has every character that all of the fonts have, or of those "
+            "that --text\n"
+            "or --chars names. With --glyphs first the first font alone counts for this, and what the others "
+            "lack stays\n"
+            "as it is in the first. A glyph that cannot be blended is named on stderr; it switches half-way "
+            "from the one\n"
+            "font's own outline to the other's.\n",
+    .takes = "otcFGS",
+    .fonts_min = 2,
+    .fonts_max = MT_VARIABLE_FONTS_MAX,
+    .run = run,
+};
