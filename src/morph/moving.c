@@ -4,8 +4,13 @@
 
 #include "geometry/limits.h"
 #include "morph/align.h"
+#include "morph/lap.h"
 #include "morph/masters.h"
 #include "morph/rotation.h"
+
+/* How far contours that meet at a cut lie over one another, 1/1000 em: as much as rounding to whole units could part them
+ * by, and half as much again. */
+#define LAP 1.5
 
 /* ---- links --------------------------------------------------------------------------------------------- */
 
@@ -45,8 +50,9 @@ mt_status mt_moving_make(const mt_morph *morph, const mt_params *params, mt_aren
                                      arena, &made.contours[made.count++]);
         if (status != MT_OK) return status;
     }
-    *moving = made;
-    return MT_OK;
+    mt_status status = mt_moving_lap(morph, mt_grid_units(LAP), arena, &made);
+    if (status == MT_OK) *moving = made;
+    return status;
 }
 
 /* ---- places on the way --------------------------------------------------------------------------------- */

@@ -15,8 +15,8 @@ static bool crosses(mt_point p, mt_point a, mt_point b) {
     return (mt_orient(a, b, p) > 0) == (b.y > a.y);
 }
 
-/* The distance from a place to a component's ink, grid units; 0 inside. */
-static double to_ink(const mt_component *component, mt_point p) {
+/* The distance from a place to a component's border, grid units, and whether it is in its ink. */
+static double to_border(const mt_component *component, mt_point p, bool *in_ink) {
     double least = INFINITY;
     bool inside = false;
     for (int r = 0; r < component->count; r++)
@@ -26,7 +26,15 @@ static double to_ink(const mt_component *component, mt_point p) {
             least = fmin(least, to_edge(p, a, b));
             inside ^= crosses(p, a, b);
         }
-    return inside ? 0 : least;
+    *in_ink = inside;
+    return least;
+}
+
+/* The distance to its ink: 0 inside. */
+static double to_ink(const mt_component *component, mt_point p) {
+    bool inside;
+    double distance = to_border(component, p, &inside);
+    return inside ? 0 : distance;
 }
 
 int mt_component_at(const mt_shape *shape, mt_point place) {
@@ -44,5 +52,14 @@ int mt_component_at(const mt_shape *shape, mt_point place) {
 bool mt_is_in_ink(const mt_shape *shape, mt_point place) {
     for (int k = 0; k < shape->count; k++)
         if (to_ink(&shape->components[k], place) <= 0) return true;
+    return false;
+}
+
+bool mt_is_deep_in_ink(const mt_shape *shape, mt_point place, double depth) {
+    for (int k = 0; k < shape->count; k++) {
+        bool inside;
+        double distance = to_border(&shape->components[k], place, &inside);
+        if (inside) return distance >= depth;
+    }
     return false;
 }

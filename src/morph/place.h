@@ -9,5 +9,7 @@ int mt_component_at(const mt_shape *shape, mt_point place);
 
 /* Whether a place is in the ink of a shape. */
 bool mt_is_in_ink(const mt_shape *shape, mt_point place);
+/* The same at least `depth` grid units from its border. */
+bool mt_is_deep_in_ink(const mt_shape *shape, mt_point place, double depth);
 
 #endif

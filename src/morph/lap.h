@@ -1,0 +1,13 @@
+/* Contours that lie side by side, laid over one another a little. */
+#ifndef MT_LAP_H
+#define MT_LAP_H
+
+#include "morph/moving.h"
+
+/* Where a side was cut, the contours on both sides of the cut meet in a line. Their points along it are rounded one by one, and
+ * a hairline would show between them. So each point of a master that lies in the ink of its side, at least twice `reach` grid
+ * units from the border, moves out of its own contour by `reach`: into the ink, so that this side stays what it is. The masters
+ * are copied. MT_NO_MEMORY. */
+mt_status mt_moving_lap(const mt_morph *morph, double reach, mt_arena *arena, mt_moving *moving);
+
+#endif
