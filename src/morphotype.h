@@ -178,7 +178,7 @@ MT_API int mt_blend_units_per_em(const mt_blend *blend);
  * straight lines. */
 typedef struct mt_variable mt_variable;
 
-enum { MT_VARIABLE_FONTS_MAX = 2 };
+enum { MT_VARIABLE_FONTS_MAX = 64 };
 
 /* Of 2 … MT_VARIABLE_FONTS_MAX fonts, which it keeps using: close them after it. `params` is copied. */
 MT_API mt_status mt_variable_new(mt_font *const *fonts, int count, const mt_params *params,

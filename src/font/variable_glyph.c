@@ -39,11 +39,11 @@ static mt_status stay_as(mt_worker *worker, const mt_shape *shape, int from, int
     return status == MT_TOO_LARGE ? stay(worker, &blank, from, to, span) : status;
 }
 
-/* A glyph that B has not. */
+/* A glyph that some font has not: the first font's own, on the whole axis. */
 static mt_status keep_own(mt_worker *worker, const mt_glyph_pair *pair, mt_passage *passage) {
     mt_status status = new_spans(worker, 1, passage);
     if (status != MT_OK) return status;
-    return stay_as(worker, &pair->a, worker->job->from, worker->job->to, &passage->spans[0]);
+    return stay_as(worker, &pair->a, 0, MT_PLACE_ONE, &passage->spans[0]);
 }
 
 /* The nearer font's own outline; half-way, B's. */
@@ -127,6 +127,8 @@ mt_status mt_job_moving_glyph(mt_worker *worker, int glyph) {
     mt_job *job = worker->job;
     mt_passage *passage = &job->passages[glyph];
     mt_glyph_pair pair = {0};
+    if (job->from > 0 && job->charset->glyphs[glyph].b == MT_NO_PARTNER)
+        return MT_OK; /* the first step has it */
     mt_status status = mt_job_read_metrics(worker, job->charset->glyphs[glyph], &pair);
     if (status == MT_OK && job->composites[glyph].count == 0) status = draw(worker, &pair, glyph, passage);
     passage->advance_a = pair.advance_a;

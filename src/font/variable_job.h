@@ -8,6 +8,7 @@
 #define MT_VARIABLE_JOB_H
 
 #include "font/blend_job.h"
+#include "font/charset_row.h"
 
 struct mt_variable {
     int count; /* of the fonts */
@@ -21,9 +22,9 @@ struct mt_variable {
 typedef struct mt_course {
     int units, glyph_count;
     int step_count;
-    mt_job *jobs;              /* of each step */
-    int *stops;                /* the places of the fonts: step_count + 1 of them */
-    const mt_charset *charset; /* of the first font, and any */
+    mt_job *jobs; /* of each step */
+    int *stops;   /* the places of the fonts: step_count + 1 of them */
+    mt_charset_row charsets;
 } mt_course;
 
 /* variable_join.c: a glyph of all steps, in the arena. MT_NO_MEMORY, MT_TOO_LARGE. */

@@ -45,7 +45,7 @@ static mt_status start_step(mt_making *making, int step) {
     mt_blend_on_progress(blend, making->variable->progress ? pass_progress : NULL, making);
     *job = (mt_job){.blend = blend,
                     .make = mt_job_moving_glyph,
-                    .charset = course->charset,
+                    .charset = &course->charsets.steps[step],
                     .units = course->units,
                     .from = course->stops[step] + (step > 0),
                     .to = course->stops[step + 1]};
@@ -149,7 +149,7 @@ static mt_status add_layout(mt_making *making, mt_font_data *data) {
 }
 
 static mt_status hand_over(mt_making *making, mt_font_ready ready, void *user) {
-    const mt_charset *charset = making->course.charset;
+    const mt_charset *charset = &making->course.charsets.spokes[0];
     mt_variation variation = {
         .tag = AXIS_TAG, .name = AXIS_NAME, .least = 0, .most = AXIS_END, .moves = making->moves};
     mt_font_data data = {.units = making->course.units,
@@ -175,16 +175,15 @@ static int units_of(const mt_variable *variable) {
     return units;
 }
 
-static mt_status start(mt_making *making, mt_charset *charset) {
+static mt_status start(mt_making *making) {
     const mt_variable *variable = making->variable;
     mt_course *course = &making->course;
     const mt_blend *first = variable->steps[0];
     mt_charset_request request = {first->wanted, first->wanted_count, first->set};
     mt_status status =
-        mt_charset_make(variable->fonts[0], variable->fonts[1], &request, &making->arena, charset);
+        mt_charset_row_make(variable->fonts, variable->count, &request, &making->arena, &course->charsets);
     if (status != MT_OK) return status;
-    course->charset = charset;
-    course->glyph_count = charset->glyph_count;
+    course->glyph_count = course->charsets.steps[0].glyph_count;
     course->units = units_of(variable);
     course->jobs = mt_arena_new(&making->arena, (size_t)variable->count, sizeof *course->jobs);
     course->stops = mt_arena_new(&making->arena, (size_t)variable->count, sizeof *course->stops);
@@ -196,8 +195,7 @@ static mt_status start(mt_making *making, mt_charset *charset) {
 
 mt_status mt_variable_make(mt_variable *variable, mt_font_ready ready, void *user) {
     mt_making making = {.variable = variable};
-    mt_charset charset;
-    mt_status status = start(&making, &charset);
+    mt_status status = start(&making);
     if (status == MT_OK) status = run_steps(&making);
     if (status == MT_OK) status = join_glyphs(&making);
     if (status == MT_OK) status = hand_over(&making, ready, user);
