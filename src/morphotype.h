@@ -197,7 +197,8 @@ MT_API int mt_variable_unblended(const mt_variable *variable);
 
 /* The font as TrueType bytes; give them back with mt_bytes_free. */
 MT_API mt_status mt_variable_font(mt_variable *variable, uint8_t **bytes, size_t *length);
-/* Written to `path` whole or not at all, in the format of its extension: .ttf or .woff2. MT_UNKNOWN_FORMAT,
+/* Written to `path` whole or not at all, in the format of its extension: .ttf, .woff2 or .designspace, the last for
+ * masters with the same points, as UFOs in the folder NAME-masters beside NAME.designspace. MT_UNKNOWN_FORMAT,
  * MT_CANNOT_WRITE. */
 MT_API mt_status mt_variable_save(mt_variable *variable, const char *path);
 

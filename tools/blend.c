@@ -100,7 +100,7 @@ static int blend(cli_options *options, const outputs *named) {
 static int check(const cli_options *options) {
     mt_font_format format;
     if (!options->output) return misuse(options->command, "-o OUT.ttf|woff2|ufo is wanted");
-    if (!mt_font_format_of(options->output, &format))
+    if (!mt_font_format_of(options->output, &format) || format == MT_FONT_DESIGNSPACE)
         return misuse(options->command, "-o %s: blend writes .ttf, .woff2 and .ufo", options->output);
     for (int i = 0; i < options->at_count; i++)
         for (int k = 0; k < i; k++)

@@ -29,9 +29,10 @@ static int make(cli_work *work) {
 
 static int check(const cli_options *options) {
     mt_font_format format;
-    if (!options->output) return misuse(options->command, "-o OUT.ttf|woff2 is wanted");
+    if (!options->output) return misuse(options->command, "-o OUT.ttf|woff2|designspace is wanted");
     if (!mt_font_format_of(options->output, &format) || format == MT_FONT_UFO)
-        return misuse(options->command, "-o %s: variable writes .ttf and .woff2", options->output);
+        return misuse(options->command, "-o %s: variable writes .ttf, .woff2 and .designspace",
+                      options->output);
     mt_status status = mt_save_check(options->output);
     return status == MT_OK ? directory_check(options->output) : fail_status(options->output, status);
 }
@@ -49,7 +50,7 @@ static int run(cli_options *options) {
 const cli_command variable_command = {
     .name = "variable",
     .summary = "one variable font from any two fonts, or more",
-    .help = "usage: morphotype variable FONT FONT [FONT...] -o OUT.ttf|woff2 [OPTION...]\n"
+    .help = "usage: morphotype variable FONT FONT [FONT...] -o OUT.ttf|woff2|designspace [OPTION...]\n"
             "\n"
             "Makes one font with an axis, MRPH, from 0 (the first font, and the default) to 100 (the last); "
             "fonts in\n"
@@ -59,7 +60,8 @@ const cli_command variable_command = {
             "lack stays\n"
             "as it is in the first. A glyph that cannot be blended is named on stderr; it switches half-way "
             "from the one\n"
-            "font's own outline to the other's.\n",
+            "font's own outline to the other's. OUT.designspace is a document; its masters are UFOs in "
+            "OUT-masters.\n",
     .takes = "otcFGS",
     .fonts_min = 2,
     .fonts_max = MT_VARIABLE_FONTS_MAX,

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "designspace.h"
 #include "file.h"
 #include "geometry/memory.h"
 #include "ufo.h"
@@ -14,9 +15,9 @@
 /* ---- formats ---------------------------------------------------------------------------------------------- */
 
 bool mt_font_format_of(const char *path, mt_font_format *format) {
-    static const char *const extensions[] = {".ttf", ".woff2", ".ufo"};
+    static const char *const extensions[] = {".ttf", ".woff2", ".ufo", ".designspace"};
     const char *dot = strrchr(path, '.');
-    for (int i = 0; dot && i < 3; i++) {
+    for (int i = 0; dot && i < 4; i++) {
         if (strcasecmp(dot, extensions[i]) != 0) continue;
         *format = (mt_font_format)i;
         return true;
@@ -27,6 +28,7 @@ bool mt_font_format_of(const char *path, mt_font_format *format) {
 mt_status mt_save_check(const char *path) {
     mt_font_format format;
     if (!mt_font_format_of(path, &format)) return MT_UNKNOWN_FORMAT;
+    if (format == MT_FONT_DESIGNSPACE) return mt_designspace_check(path);
     return format == MT_FONT_UFO ? mt_folder_check(path, MT_UFO_MARK) : mt_file_check(path);
 }
 
@@ -38,6 +40,7 @@ typedef struct mt_product {
     uint8_t *bytes; /* of a file */
     size_t length;
     mt_folder folder;
+    mt_designspace designspace;
 } mt_product;
 
 static mt_status pack(mt_product *product) {
@@ -63,13 +66,29 @@ static mt_status make_product(const mt_font_data *data, mt_product *product) {
     return status == MT_OK && product->format == MT_FONT_WOFF2 ? pack(product) : status;
 }
 
+/* Adds a master to a designspace, which the first begins. */
+static mt_status add_master(const mt_font_data *data, int place, mt_product *product) {
+    mt_status status = MT_OK;
+    if (!product->designspace.path) status = mt_designspace_begin(product->path, &product->designspace);
+    return status == MT_OK ? mt_designspace_add(&product->designspace, data, place) : status;
+}
+
+static mt_status place_designspace(mt_product *product) {
+    mt_status status = mt_designspace_place(&product->designspace);
+    product->length = product->designspace.length;
+    return status;
+}
+
 static mt_status place_product(mt_product *product) {
+    if (product->format == MT_FONT_DESIGNSPACE) return place_designspace(product);
     if (product->format == MT_FONT_UFO) return mt_folder_place(&product->folder, MT_UFO_MARK);
     return mt_file_write(product->path, product->bytes, product->length);
 }
 
 static void unplace_product(const mt_product *product) {
-    if (product->format == MT_FONT_UFO)
+    if (product->format == MT_FONT_DESIGNSPACE)
+        mt_designspace_remove(&product->designspace);
+    else if (product->format == MT_FONT_UFO)
         mt_folder_remove(product->path);
     else
         unlink(product->path);
@@ -78,6 +97,7 @@ static void unplace_product(const mt_product *product) {
 static void free_product(mt_product *product) {
     mt_bytes_free(product->bytes);
     mt_folder_free(&product->folder);
+    mt_designspace_free(&product->designspace);
 }
 
 /* ---- all of them ------------------------------------------------------------------------------------------ */
@@ -101,7 +121,8 @@ static mt_status prepare(mt_products *products) {
         mt_product *product = &products->list[i];
         product->path = saving->paths[i];
         bool known = mt_font_format_of(product->path, &product->format);
-        bool fits = known && (saving->t || product->format != MT_FONT_UFO); /* a UFO does not vary */
+        /* A UFO does not vary; what does not vary has no designspace. */
+        bool fits = known && product->format != (saving->t ? MT_FONT_DESIGNSPACE : MT_FONT_UFO);
         mt_status status = fits ? mt_save_check(product->path) : MT_UNKNOWN_FORMAT;
         if (status != MT_OK) return note(products, i, status);
     }
@@ -154,7 +175,14 @@ mt_status mt_blend_save_when(mt_blend *blend, const mt_saving *saving, int *fail
     return save_when(blend, make_blends, saving, failed);
 }
 
+static mt_status keep_master(const mt_font_data *data, int place, void *user) {
+    mt_products *products = user;
+    return note(products, 0, add_master(data, place, &products->list[0]));
+}
+
 static mt_status make_variable(void *variable, mt_products *products) {
+    if (products->list[0].format == MT_FONT_DESIGNSPACE)
+        return mt_variable_masters(variable, keep_master, products);
     return mt_variable_make(variable, keep, products);
 }
 

@@ -7,7 +7,8 @@
 typedef enum mt_font_format {
     MT_FONT_TTF,
     MT_FONT_WOFF2,
-    MT_FONT_UFO, /* a directory */
+    MT_FONT_UFO,         /* a directory */
+    MT_FONT_DESIGNSPACE, /* a file and a directory; of variable fonts */
 } mt_font_format;
 
 /* By the extension, whatever its capitals; false for any other. */
@@ -25,6 +26,9 @@ mt_status mt_blend_make(mt_blend *blend, const double *t, int count, mt_font_rea
 
 /* variable_make.c: makes the variable font and hands it to `ready`, with index 0. */
 mt_status mt_variable_make(mt_variable *variable, mt_font_ready ready, void *user);
+/* The same as masters, fonts that do not vary and whose glyphs have the same points: each with its place on the axis
+ * (variation.h) as the index, in this order. */
+mt_status mt_variable_masters(mt_variable *variable, mt_font_ready ready, void *user);
 
 typedef struct mt_saving {
     const double *t; /* NULL for a variable font, of which there is one */

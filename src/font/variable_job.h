@@ -31,6 +31,16 @@ typedef struct mt_course {
 mt_status mt_course_join(const mt_course *course, int glyph, mt_arena *arena, mt_glyf *glyf,
                          mt_glyph_moves *moves);
 
+/* variable_masters.c: which step a place is on, and its T there; a stop belongs to the step that ends there. */
+typedef struct mt_spot {
+    int step;
+    double t;
+} mt_spot;
+mt_spot mt_course_spot(const mt_course *course, int place);
+/* Hands over the masters of the font, each with its place as the index. MT_NO_MEMORY, and what `ready` gives. */
+mt_status mt_course_masters(const mt_course *course, const mt_font_data *font, mt_font_ready ready,
+                            void *user);
+
 /* variable_composite.c: leaves those composites of the steps that are built alike in all fonts. MT_NO_MEMORY. */
 mt_status mt_course_composites(const mt_course *course, mt_arena *arena);
 /* Of a composite, where its references are at each stop. MT_TOO_LARGE. */

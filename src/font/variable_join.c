@@ -144,12 +144,11 @@ static bool in_range(int value, int least, int most) {
 /* The phantom points at a place; the glyph's own metrics at the first one. */
 static mt_status place_phantoms(mt_joint_glyph *join, int place, mt_move *phantoms) {
     const mt_course *course = join->course;
-    int step = 0, units = course->units;
+    int units = course->units;
     bool alone = course->jobs[0].charset->glyphs[join->glyph].b == MT_NO_PARTNER;
-    while (!alone && step + 1 < course->step_count && join->places[place] > course->stops[step + 1]) step++;
-    double length = course->stops[step + 1] - course->stops[step];
-    double t = alone ? 0 : (join->places[place] - course->stops[step]) / length;
-    const mt_passage *p = passage_of(join, step);
+    mt_spot spot = mt_course_spot(course, alone ? 0 : join->places[place]);
+    const mt_passage *p = passage_of(join, spot.step);
+    double t = spot.t;
     mt_vertical vertical = {mixed(p->vertical_a.advance, p->vertical_b.advance, t),
                             mixed(p->vertical_a.origin, p->vertical_b.origin, t)};
     mt_glyf hung = {0};

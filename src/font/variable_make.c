@@ -3,8 +3,8 @@
 
 #include <stdio.h>
 
+#include "font/axis.h"
 #include "font/recipe.h"
-#include "font/sfnt.h"
 #include "geometry/limits.h"
 
 typedef struct mt_making {
@@ -98,10 +98,6 @@ static mt_status join_glyphs(mt_making *making) {
 
 /* ---- the axis ------------------------------------------------------------------------------------------ */
 
-#define AXIS_TAG MT_TAG('M', 'R', 'P', 'H')
-#define AXIS_NAME "Morph"
-#define AXIS_END 100.0
-
 /* The quarters of the axis, and its stops. */
 static bool is_named(const mt_course *course, int percent_of_all, int all) {
     bool quarter = percent_of_all * 4 % all == 0, stop = percent_of_all * course->step_count % all == 0;
@@ -118,8 +114,8 @@ static mt_status name_places(mt_making *making, mt_variation *variation) {
         if (!is_named(course, i, all)) continue;
         char *name = mt_arena_new(&making->arena, NAME_ROOM, 1);
         if (!name) return MT_NO_MEMORY;
-        double value = AXIS_END * i / all;
-        snprintf(name, NAME_ROOM, AXIS_NAME " %.4g", value);
+        double value = (double)MT_AXIS_END * i / all;
+        snprintf(name, NAME_ROOM, MT_AXIS_NAME " %.4g", value);
         named[variation->named_count++] = (mt_named_place){value, name};
     }
     variation->named = named;
@@ -148,10 +144,10 @@ static mt_status add_layout(mt_making *making, mt_font_data *data) {
     return MT_OK;
 }
 
-static mt_status hand_over(mt_making *making, mt_font_ready ready, void *user) {
+static mt_status hand_over(mt_making *making, bool masters, mt_font_ready ready, void *user) {
     const mt_charset *charset = &making->course.charsets.spokes[0];
     mt_variation variation = {
-        .tag = AXIS_TAG, .name = AXIS_NAME, .least = 0, .most = AXIS_END, .moves = making->moves};
+        .tag = MT_AXIS_TAG, .name = MT_AXIS_NAME, .least = 0, .most = MT_AXIS_END, .moves = making->moves};
     mt_font_data data = {.units = making->course.units,
                          .glyph_count = charset->glyph_count,
                          .glyphs = making->glyphs,
@@ -163,7 +159,8 @@ static mt_status hand_over(mt_making *making, mt_font_ready ready, void *user) {
     mt_status status = name_places(making, &variation);
     if (status == MT_OK) status = describe(making, &data);
     if (status == MT_OK) status = add_layout(making, &data);
-    return status == MT_OK ? ready(&data, 0, user) : status;
+    if (status != MT_OK) return status;
+    return masters ? mt_course_masters(&making->course, &data, ready, user) : ready(&data, 0, user);
 }
 
 static int units_of(const mt_variable *variable) {
@@ -193,13 +190,21 @@ static mt_status start(mt_making *making) {
     return MT_OK;
 }
 
-mt_status mt_variable_make(mt_variable *variable, mt_font_ready ready, void *user) {
+static mt_status make(mt_variable *variable, bool masters, mt_font_ready ready, void *user) {
     mt_making making = {.variable = variable};
     mt_status status = start(&making);
     if (status == MT_OK) status = run_steps(&making);
     if (status == MT_OK) status = join_glyphs(&making);
-    if (status == MT_OK) status = hand_over(&making, ready, user);
+    if (status == MT_OK) status = hand_over(&making, masters, ready, user);
     release_steps(&making);
     mt_arena_release(&making.arena);
     return status;
+}
+
+mt_status mt_variable_make(mt_variable *variable, mt_font_ready ready, void *user) {
+    return make(variable, false, ready, user);
+}
+
+mt_status mt_variable_masters(mt_variable *variable, mt_font_ready ready, void *user) {
+    return make(variable, true, ready, user);
 }

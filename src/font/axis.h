@@ -1,0 +1,19 @@
+/* The axis of Morphotype's variable fonts: from the first font, where they stand without a setting, to the last. */
+#ifndef MT_AXIS_H
+#define MT_AXIS_H
+
+#include "font/sfnt.h"
+#include "font/variation.h"
+
+#define MT_AXIS_TAG MT_TAG('M', 'R', 'P', 'H')
+#define MT_AXIS_TAG_TEXT "MRPH"
+#define MT_AXIS_NAME "Morph"
+
+enum { MT_AXIS_END = 100 };
+
+/* What users set for a place. */
+static inline double mt_axis_value(int place) {
+    return (double)MT_AXIS_END * place / MT_PLACE_ONE;
+}
+
+#endif
