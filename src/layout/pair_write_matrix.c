@@ -33,7 +33,7 @@ static mt_status merge_columns(const mt_mixed_pairs *mixed, mt_matrix_part *part
 
 enum { HEADER = 16 };
 
-/* The values of all pairs of classes. What varies in them follows them. MT_TOO_LARGE where that could not be reached. */
+/* The values of all pairs of classes, and what varies in them. MT_TOO_LARGE where that could not be reached. */
 static mt_status write_records(const mt_mixed_pairs *mixed, mt_matrix_part *part) {
     size_t rows = (size_t)(part->end - part->first), columns = (size_t)part->columns.count;
     size_t to_pool = HEADER + rows * columns * mt_value_format_size(part->format);
@@ -43,10 +43,8 @@ static mt_status write_records(const mt_mixed_pairs *mixed, mt_matrix_part *part
         for (int c = 0; c < part->columns.count; c++)
             mt_value_write(&part->records, &mixed->values, part->format,
                            mt_interned_row(&part->columns, c) + r * width, &part->pool, to_pool);
-    if (part->pool.status != MT_OK) return part->pool.status;
-    bool fits = to_pool + mt_variation_pool_size(&part->pool) <= MT_OFFSET_MAX;
     mt_variation_pool_write(&part->pool, &part->records);
-    return fits ? MT_OK : MT_TOO_LARGE;
+    return part->pool.status;
 }
 
 /* Coverage and ClassDef of the left glyphs, ClassDef of the right ones. */
