@@ -224,12 +224,37 @@ static void three_fonts(void **state) {
     check((const char *[]){INTER "@wght=650", LIBERTINE, SANS}, 3, 80, 0);
 }
 
+/* Each of three fonts is positioned as in a blend of the first with it alone. */
+static void each_stop_is_as_with_the_first_alone(void **state) {
+    (void)state;
+    const char *specs[] = {SANS, INTER "@wght=300", MT_TEST_SERIF};
+    mt_axis three = axis_of(specs, 3);
+    for (int k = 1; k < 3; k++) {
+        mt_tally tally = {0};
+        mt_axis two = three;
+        size_t size;
+        mt_font *fonts[] = {three.fonts[0], three.fonts[k]};
+        const mt_charset *charset = &three.charsets[k - 1];
+        two.count = 2;
+        mt_assert_ok(mt_positions_prepare(fonts, &charset, 2, three.units, &arena, &two.positions));
+        hb_font_t *one = static_font(&three, k / 2.0, &size), *other = static_font(&two, 1, &size);
+        compare_texts(one, other, &tally);
+        print_message("font %d: %d texts kerned, %d lifted; %g off\n", k, tally.kerned, tally.lifted,
+                      tally.worst);
+        assert_true(tally.kerned >= 80 && tally.lifted >= 100 && tally.worst == 0);
+        hb_font_destroy(one);
+        hb_font_destroy(other);
+    }
+    close_axis(&three);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sans_to_serif),
         cmocka_unit_test(lists_to_lists),
         cmocka_unit_test(inter_to_serif),
         cmocka_unit_test(three_fonts),
+        cmocka_unit_test(each_stop_is_as_with_the_first_alone),
     };
     return cmocka_run_group_tests(tests, NULL, tear_down);
 }
