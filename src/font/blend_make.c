@@ -91,7 +91,7 @@ static mt_status make_fonts(mt_job *job, mt_arena *arena) {
     job->charset = &charset;
     if (status == MT_OK) status = start_job(job, arena);
     if (status == MT_OK)
-        status = mt_positions_prepare((mt_font *[]){blend->a, blend->b}, &job->charset, 2, job->units, arena,
+        status = mt_positions_prepare((mt_font *[]){blend->a, blend->b}, job->charset, 2, job->units, arena,
                                       &job->positions);
     if (status != MT_OK) return status;
     int count = mt_job_worker_count(job);

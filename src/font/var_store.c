@@ -25,7 +25,7 @@ static int size_of(int32_t delta) {
 static mt_var_data kind_of(const int32_t *deltas, int count) {
     mt_var_data kind = {.size = 1};
     for (int i = 0; i < count; i++) {
-        if (deltas[i]) kind.regions |= (uint32_t)1 << i;
+        if (deltas[i]) kind.regions |= (uint64_t)1 << i;
         if (size_of(deltas[i]) > kind.size) kind.size = size_of(deltas[i]);
     }
     if (!kind.regions) kind.regions = 1;
@@ -125,7 +125,7 @@ static void write_regions(const mt_var_store *store, mt_table *table) {
 }
 
 static int region_count(const mt_var_data *data) {
-    return __builtin_popcount(data->regions);
+    return __builtin_popcountll(data->regions);
 }
 
 static size_t data_size(const mt_var_data *data) {

@@ -9,7 +9,7 @@
 #include "font/table.h"
 #include "layout/intern.h"
 
-enum { MT_STOPS_MAX = 16 };
+enum { MT_STOPS_MAX = 64 };
 
 /* The index of what is the same at all stops: it needs no row. Other indices have the number of an
  * ItemVariationData in the upper 16 bits, and of a row in it in the lower. */
@@ -17,7 +17,7 @@ enum { MT_STOPS_MAX = 16 };
 
 /* Rows whose deltas are 0 but in these regions, in as many bytes each as one of them needs. */
 typedef struct mt_var_data {
-    uint32_t regions; /* a bit each */
+    uint64_t regions; /* a bit each */
     int size;         /* of a delta: 1, 2 or 4 bytes */
     int count;
     mt_table deltas;

@@ -36,7 +36,7 @@ typedef struct mt_font_glyphs {
 
 /* charsets[k] pairs the first font's glyphs with those of font k + 1; all have the same glyphs of the first font.
  * MT_NO_MEMORY. */
-mt_status mt_font_glyphs_make(const mt_charset *const *charsets, int font_count, mt_arena *arena,
+mt_status mt_font_glyphs_make(const mt_charset *charsets, int font_count, mt_arena *arena,
                               mt_font_glyphs *glyphs);
 
 #endif

@@ -192,8 +192,8 @@ static mt_status prepare(mt_position_job *job, mt_font *const *fonts, int units)
     return status == MT_OK ? prepare_anchors(job, units) : status;
 }
 
-mt_status mt_positions_prepare(mt_font *const *fonts, const mt_charset *const *charsets, int font_count,
-                               int units, mt_arena *arena, mt_positions **positions) {
+mt_status mt_positions_prepare(mt_font *const *fonts, const mt_charset *charsets, int font_count, int units,
+                               mt_arena *arena, mt_positions **positions) {
     mt_position_job job = {.arena = arena, .pair_steps = MT_PAIR_STEPS_MAX};
     job.positions = mt_arena_new(arena, 1, sizeof *job.positions);
     if (!job.positions) return MT_NO_MEMORY;

@@ -15,8 +15,8 @@ typedef struct mt_positions mt_positions;
  * order. charsets[k], one less than there are fonts, pairs the first font with font k + 1, and all have the same glyphs
  * of the first font. `units` is the new font's per em. The result belongs to the arena and needs the fonts and the
  * charsets no more. Not for two threads at once. MT_NO_MEMORY. */
-mt_status mt_positions_prepare(mt_font *const *fonts, const mt_charset *const *charsets, int font_count,
-                               int units, mt_arena *arena, mt_positions **positions);
+mt_status mt_positions_prepare(mt_font *const *fonts, const mt_charset *charsets, int font_count, int units,
+                               mt_arena *arena, mt_positions **positions);
 
 /* The GPOS table of the font at t: 0 is the first font, 1 the second, and so on. In the arena; no bytes where there is
  * nothing to position. MT_NO_MEMORY, MT_TOO_LARGE. */

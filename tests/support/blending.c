@@ -24,8 +24,8 @@ mt_test_end mt_test_open_end(const char *path, const char *spec, float weight) {
 
 void mt_test_blend_prepare(mt_test_blend *blend) {
     mt_font *fonts[] = {blend->ends[0].font, blend->ends[1].font};
-    const mt_charset *charset = &blend->charset;
-    mt_assert_ok(mt_positions_prepare(fonts, &charset, 2, blend->units, blend->arena, &blend->positions));
+    mt_assert_ok(
+        mt_positions_prepare(fonts, &blend->charset, 2, blend->units, blend->arena, &blend->positions));
 }
 
 mt_test_blend mt_test_blend_of(mt_test_end a, mt_test_end b, mt_arena *arena) {

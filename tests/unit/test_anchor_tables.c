@@ -46,7 +46,7 @@ static mt_places at(const double *t) {
 
 static mt_font_glyphs glyphs_of(const mt_charset *charset, mt_arena *of) {
     mt_font_glyphs glyphs;
-    mt_assert_ok(mt_font_glyphs_make(&charset, 2, of, &glyphs));
+    mt_assert_ok(mt_font_glyphs_make(charset, 2, of, &glyphs));
     return glyphs;
 }
 

@@ -61,8 +61,7 @@ static mt_pair prepare(mt_end a, mt_end b) {
     pair.b.scale = (double)pair.units / mt_font_units(b.font);
     mt_assert_ok(mt_charset_make(a.font, b.font, &(mt_charset_request){0}, &arena, &pair.charset));
     mt_font *fonts[] = {a.font, b.font};
-    const mt_charset *charset = &pair.charset;
-    mt_assert_ok(mt_positions_prepare(fonts, &charset, 2, pair.units, &arena, &pair.positions));
+    mt_assert_ok(mt_positions_prepare(fonts, &pair.charset, 2, pair.units, &arena, &pair.positions));
     return pair;
 }
 

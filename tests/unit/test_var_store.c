@@ -129,7 +129,7 @@ static void deltas_take_what_they_need(void **state) {
     static const struct {
         int32_t values[3];
         int size;
-        uint32_t regions;
+        uint64_t regions;
     } cases[] = {
         {{0, 127, -128}, 1, 3},      {{0, 128, 0}, 2, 1},   {{0, 0, -129}, 2, 2},
         {{-1, 32766, -32769}, 2, 3}, {{0, 32768, 1}, 4, 3}, {{32767, 32767, -32768}, 4, 2},

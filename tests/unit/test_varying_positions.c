@@ -76,7 +76,6 @@ static mt_bytes classes_of(const mt_axis *axis, const char *path) {
 /* Each spec is a path, with a place on its axes where there is an '@'. */
 static mt_axis axis_of(const char *const *specs, int count) {
     mt_axis axis = {.count = count};
-    const mt_charset *charsets[FONTS_MAX - 1];
     char path[200];
     for (int k = count - 1; k >= 0; k--) {
         snprintf(path, sizeof path, "%.*s", (int)strcspn(specs[k], "@"), specs[k]);
@@ -86,8 +85,7 @@ static mt_axis axis_of(const char *const *specs, int count) {
     mt_charset_request all = {0};
     mt_assert_ok(mt_charset_make(axis.fonts[0], axis.fonts[1], &all, &arena, &axis.charsets[0]));
     for (int k = 2; k < count; k++) axis.charsets[k - 1] = charset_with(&axis.charsets[0], axis.fonts[k]);
-    for (int k = 1; k < count; k++) charsets[k - 1] = &axis.charsets[k - 1];
-    mt_assert_ok(mt_positions_prepare(axis.fonts, charsets, count, axis.units, &arena, &axis.positions));
+    mt_assert_ok(mt_positions_prepare(axis.fonts, axis.charsets, count, axis.units, &arena, &axis.positions));
     axis.gdef = classes_of(&axis, path);
     return axis;
 }
@@ -234,9 +232,9 @@ static void each_stop_is_as_with_the_first_alone(void **state) {
         mt_axis two = three;
         size_t size;
         mt_font *fonts[] = {three.fonts[0], three.fonts[k]};
-        const mt_charset *charset = &three.charsets[k - 1];
         two.count = 2;
-        mt_assert_ok(mt_positions_prepare(fonts, &charset, 2, three.units, &arena, &two.positions));
+        mt_assert_ok(
+            mt_positions_prepare(fonts, &three.charsets[k - 1], 2, three.units, &arena, &two.positions));
         hb_font_t *one = static_font(&three, k / 2.0, &size), *other = static_font(&two, 1, &size);
         compare_texts(one, other, &tally);
         print_message("font %d: %d texts kerned, %d lifted; %g off\n", k, tally.kerned, tally.lifted,
