@@ -91,7 +91,8 @@ static mt_status make_fonts(mt_job *job, mt_arena *arena) {
     if (status == MT_OK) status = mt_job_start(job, arena);
     if (status == MT_OK) status = mt_job_layout(job, arena);
     if (status == MT_OK)
-        status = mt_positions_prepare(blend->a, blend->b, &charset, job->units, arena, &job->positions);
+        status = mt_positions_prepare((mt_font *[]){blend->a, blend->b}, job->charset, 2, job->units, arena,
+                                      &job->positions);
     if (status != MT_OK) return status;
     int count = mt_job_worker_count(job);
     mt_worker *workers = mt_arena_new(arena, (size_t)count, sizeof *workers);

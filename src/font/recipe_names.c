@@ -3,9 +3,11 @@
 #include "font/recipe.h"
 
 #include <stdarg.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "font/axis.h"
 #include "font/reserved.h"
 
 /* Bytes of one source's text. */
@@ -54,15 +56,6 @@ static const char *clipped(mt_namer *namer, const char *text, size_t limit) {
     return formed(namer, "%.*s…", (int)limit, text);
 }
 
-/* Both texts, or the one when the other is the same or missing; NULL when both are missing. */
-static const char *both(mt_namer *namer, const char *a, const char *b, const char *between, size_t limit) {
-    a = clipped(namer, a, limit);
-    b = clipped(namer, b, limit);
-    bool single = !*a || !*b || strcmp(a, b) == 0;
-    const char *text = single ? (*a ? a : b) : formed(namer, "%s%s%s", a, between, b);
-    return *text ? text : NULL;
-}
-
 /* ---- the sources --------------------------------------------------------------------------------------- */
 
 typedef struct mt_source {
@@ -84,6 +77,32 @@ static mt_source read_source(mt_namer *namer, const mt_font *font) {
     return source;
 }
 
+static const char *text_of(const mt_source *source, size_t field) {
+    return *(const char *const *)((const char *)&source->names + field);
+}
+
+/* Whether one of the first `count` sources has the same text. */
+static bool is_told(const mt_source *sources, int count, size_t offset, const char *text) {
+    for (int i = 0; i < count; i++) {
+        const char *earlier = text_of(&sources[i], offset);
+        if (earlier && strcmp(earlier, text) == 0) return true;
+    }
+    return false;
+}
+
+/* The texts of all sources in a field of mt_names, each once; NULL when all are missing. */
+static const char *joined(mt_namer *namer, const mt_source *sources, int count, size_t field,
+                          const char *between, size_t limit) {
+    const char *all = NULL;
+    for (int i = 0; i < count; i++) {
+        const char *text = text_of(&sources[i], field);
+        if (!text || !*text || is_told(sources, i, field, text)) continue;
+        text = clipped(namer, text, limit / (size_t)(count > 2 ? count - 1 : 1));
+        all = all ? formed(namer, "%s%s%s", all, between, text) : text;
+    }
+    return all;
+}
+
 /* ---- the family ---------------------------------------------------------------------------------------- */
 
 /* FNV-1a (Fowler, Noll, Vo), folded to 16 bits: enough to keep the families of different pairs apart in a
@@ -93,20 +112,30 @@ static unsigned short_hash(const char *text, unsigned hash) {
     return hash;
 }
 
-/* A word and a number made of the sources' names; another word where the sources keep the first one for themselves. */
-static mt_status make_family(mt_namer *namer, const mt_source *a, const mt_source *b, const char **family) {
-    static const char *const words[] = {"Morphotype", "Between", "Halfway"};
-    mt_reserved in_a, in_b;
-    unsigned hash = short_hash(b->title, short_hash(a->title, 2166136261u) * 16777619u);
-    mt_status status = mt_reserved_find(a->font, namer->arena, &in_a);
-    if (status == MT_OK) status = mt_reserved_find(b->font, namer->arena, &in_b);
-    if (status != MT_OK) return status;
-    const char *made = "";
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-        made = formed(namer, "%s %04X", words[i], (hash >> 16 ^ hash) & 0xFFFF);
-        if (!mt_reserved_in(&in_a, made) && !mt_reserved_in(&in_b, made)) break;
+/* Whether one of the sources keeps the name for itself. */
+static mt_status is_reserved(mt_namer *namer, const mt_source *sources, int count, const char *name,
+                             bool *reserved) {
+    *reserved = false;
+    for (int i = 0; i < count && !*reserved; i++) {
+        mt_reserved kept;
+        mt_status status = mt_reserved_find(sources[i].font, namer->arena, &kept);
+        if (status != MT_OK) return status;
+        *reserved = mt_reserved_in(&kept, name);
     }
-    *family = made;
+    return MT_OK;
+}
+
+/* A word and a number made of the sources' names; another word where the sources keep the first one for themselves. */
+static mt_status make_family(mt_namer *namer, const mt_source *sources, int count, const char **family) {
+    static const char *const words[] = {"Morphotype", "Between", "Halfway"};
+    unsigned hash = 2166136261u;
+    bool reserved = true;
+    for (int i = 0; i < count; i++) hash = short_hash(sources[i].title, i ? hash * 16777619u : hash);
+    for (size_t i = 0; i < sizeof words / sizeof *words && reserved; i++) {
+        *family = formed(namer, "%s %04X", words[i], (hash >> 16 ^ hash) & 0xFFFF);
+        mt_status status = is_reserved(namer, sources, count, *family, &reserved);
+        if (status != MT_OK) return status;
+    }
     return MT_OK;
 }
 
@@ -116,29 +145,63 @@ static void describe(mt_namer *namer, const mt_source *a, const mt_source *b, do
     data->style = formed(namer, "At %g", t);
     data->unique_id = formed(namer, "Morphotype %s: %s %s, %s %s, %g", MORPHOTYPE_VERSION, a->title,
                              a->version, b->title, b->version, t);
-    data->version = "Version 1.000; Morphotype " MORPHOTYPE_VERSION;
     data->description =
         formed(namer, "Between %s%s%s (T = 0) and %s%s%s (T = 1), at T = %g, by Morphotype %s", a->title,
                *a->version ? ", version " : "", a->version, b->title, *b->version ? ", version " : "",
                b->version, t, MORPHOTYPE_VERSION);
 }
 
-static void join_notices(mt_namer *namer, const mt_names *a, const mt_names *b, mt_font_data *data) {
-    data->copyright = both(namer, a->copyright, b->copyright, "\n", COPYRIGHT_MAX);
-    data->trademark = both(namer, a->trademark, b->trademark, "\n", TRADEMARK_MAX);
-    data->designer = both(namer, a->designer, b->designer, ", ", DESIGNER_MAX);
-    data->license = both(namer, a->license, b->license, "\n", LICENSE_MAX);
-    data->license_url = both(namer, a->license_url, b->license_url, " ", URL_MAX);
+/* The place on the axis of each. */
+static void describe_axis(mt_namer *namer, const mt_source *sources, int count, mt_font_data *data) {
+    const char *id = formed(namer, "Morphotype %s:", MORPHOTYPE_VERSION), *fonts = "";
+    for (int i = 0; i < count; i++) {
+        const mt_source *s = &sources[i];
+        const char *between = i == 0 ? "" : i + 1 < count ? ", " : " and ";
+        double value = (double)MT_AXIS_END * i / (count - 1);
+        id = formed(namer, "%s %s %s,", id, s->title, s->version);
+        fonts = formed(namer, "%s%s%s%s%s (" MT_AXIS_TAG_TEXT " = %.4g)", fonts, between, s->title,
+                       *s->version ? ", version " : "", s->version, value);
+    }
+    data->unique_id = formed(namer, "%s variable", id);
+    data->description = formed(namer, "Varies between %s, by Morphotype %s", fonts, MORPHOTYPE_VERSION);
+}
+
+static void join_notices(mt_namer *namer, const mt_source *sources, int count, mt_font_data *data) {
+    data->version = "Version 1.000; Morphotype " MORPHOTYPE_VERSION;
+    data->copyright = joined(namer, sources, count, offsetof(mt_names, copyright), "\n", COPYRIGHT_MAX);
+    data->trademark = joined(namer, sources, count, offsetof(mt_names, trademark), "\n", TRADEMARK_MAX);
+    data->designer = joined(namer, sources, count, offsetof(mt_names, designer), ", ", DESIGNER_MAX);
+    data->license = joined(namer, sources, count, offsetof(mt_names, license), "\n", LICENSE_MAX);
+    data->license_url = joined(namer, sources, count, offsetof(mt_names, license_url), " ", URL_MAX);
+}
+
+/* All but what is said of a place, or of an axis. */
+static mt_status name_family(mt_namer *namer, const mt_source *sources, int count, const char *family,
+                             mt_font_data *data) {
+    data->family = family;
+    mt_status status = family ? MT_OK : make_family(namer, sources, count, &data->family);
+    if (status == MT_OK) join_notices(namer, sources, count, data);
+    return status;
 }
 
 mt_status mt_recipe_names(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
                           mt_font_data *data) {
     mt_namer namer = {.arena = arena};
-    mt_source in_a = read_source(&namer, a), in_b = read_source(&namer, b);
-    data->family = family;
-    mt_status status = family ? MT_OK : make_family(&namer, &in_a, &in_b, &data->family);
+    const mt_source sources[] = {read_source(&namer, a), read_source(&namer, b)};
+    mt_status status = name_family(&namer, sources, 2, family, data);
     if (status != MT_OK) return status;
-    describe(&namer, &in_a, &in_b, t, data);
-    join_notices(&namer, &in_a.names, &in_b.names, data);
+    describe(&namer, &sources[0], &sources[1], t, data);
+    return namer.failed ? MT_NO_MEMORY : MT_OK;
+}
+
+mt_status mt_recipe_axis_names(mt_font *const *fonts, int count, const char *family, mt_arena *arena,
+                               mt_font_data *data) {
+    mt_namer namer = {.arena = arena};
+    mt_source *sources = mt_arena_new(arena, (size_t)count, sizeof *sources);
+    if (!sources) return MT_NO_MEMORY;
+    for (int i = 0; i < count; i++) sources[i] = read_source(&namer, fonts[i]);
+    mt_status status = name_family(&namer, sources, count, family, data);
+    if (status != MT_OK) return status;
+    describe_axis(&namer, sources, count, data);
     return namer.failed ? MT_NO_MEMORY : MT_OK;
 }

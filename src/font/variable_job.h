@@ -25,6 +25,7 @@ typedef struct mt_course {
     mt_job *jobs; /* of each step */
     int *stops;   /* the places of the fonts: step_count + 1 of them */
     mt_charset_row charsets;
+    mt_positions *positions; /* of all fonts */
 } mt_course;
 
 /* variable_join.c: a glyph of all steps, in the arena. MT_NO_MEMORY, MT_TOO_LARGE. */
@@ -37,9 +38,15 @@ typedef struct mt_spot {
     double t;
 } mt_spot;
 mt_spot mt_course_spot(const mt_course *course, int place);
+/* Gives `made` the room in the line that the glyph takes at a place. */
+void mt_glyph_room_at(const mt_glyf *glyph, const mt_glyph_moves *moves, int place, mt_glyf *made);
 /* Hands over the masters of the font, each with its place as the index. MT_NO_MEMORY, and what `ready` gives. */
 mt_status mt_course_masters(const mt_course *course, const mt_font_data *font, mt_font_ready ready,
                             void *user);
+
+/* variable_layout.c: what of the font is not outlines, each with how it varies: positions, widths, heights and figures of the
+ * whole font. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_course_layout(const mt_course *course, mt_arena *arena, mt_font_data *data);
 
 /* variable_composite.c: leaves those composites of the steps that are built alike in all fonts. MT_NO_MEMORY. */
 mt_status mt_course_composites(const mt_course *course, mt_arena *arena);

@@ -127,21 +127,25 @@ static mt_status name_places(mt_making *making, mt_variation *variation) {
 /* What the font says of itself, as it stands: at the first font. */
 static mt_status describe(mt_making *making, mt_font_data *data) {
     const mt_variable *variable = making->variable;
-    mt_status status = mt_recipe_fill(variable->fonts[0], variable->fonts[1], 0, variable->steps[0]->family,
-                                      &making->arena, data);
+    const char *family = variable->steps[0]->family;
+    mt_status status =
+        mt_recipe_fill(variable->fonts[0], variable->fonts[1], 0, family, &making->arena, data);
+    if (status == MT_OK)
+        status = mt_recipe_axis_names(variable->fonts, variable->count, family, &making->arena, data);
     data->style = data->variation->named[0].name;
     return status;
 }
 
-/* Layout and metrics, as they are at the first font. */
 static mt_status add_layout(mt_making *making, mt_font_data *data) {
-    mt_job *job = &making->course.jobs[0];
+    mt_course *course = &making->course;
+    mt_job *job = &course->jobs[0];
+    const mt_variable *variable = making->variable;
     mt_status status = mt_job_layout(job, &making->arena);
-    if (status != MT_OK) return status;
+    if (status == MT_OK)
+        status = mt_positions_prepare(variable->fonts, course->charsets.spokes, variable->count,
+                                      course->units, &making->arena, &course->positions);
     data->glyph_names = job->glyph_names;
-    mt_add_extra(data, MT_TAG('G', 'S', 'U', 'B'), job->layout.gsub);
-    mt_add_extra(data, MT_TAG('G', 'D', 'E', 'F'), job->layout.gdef);
-    return MT_OK;
+    return status == MT_OK ? mt_course_layout(course, &making->arena, data) : status;
 }
 
 static mt_status hand_over(mt_making *making, bool masters, mt_font_ready ready, void *user) {

@@ -57,6 +57,15 @@ static mt_move move_at(const mt_glyph_moves *moves, int place, int point) {
     return (mt_move){moved(0, p.x, q.x, share), moved(0, p.y, q.y, share)};
 }
 
+void mt_glyph_room_at(const mt_glyf *glyph, const mt_glyph_moves *moves, int place, mt_glyf *made) {
+    int phantoms = mt_glyf_point_count(glyph) + glyph->reference_count;
+    int right = move_at(moves, place, phantoms + 1).x, top = move_at(moves, place, phantoms + 2).y,
+        bottom = move_at(moves, place, phantoms + 3).y;
+    made->advance = (uint16_t)(glyph->advance + right);
+    made->origin = (int16_t)(glyph->origin + top);
+    made->height = (uint16_t)(glyph->height + top - bottom);
+}
+
 /* The glyph as it is at a place. */
 static mt_status glyph_at(const mt_glyf *glyph, const mt_glyph_moves *moves, int place, mt_arena *arena,
                           mt_glyf *made) {
@@ -76,12 +85,7 @@ static mt_status glyph_at(const mt_glyf *glyph, const mt_glyph_moves *moves, int
         made->references[i].dx = (int16_t)(made->references[i].dx + move.x);
         made->references[i].dy = (int16_t)(made->references[i].dy + move.y);
     }
-    int phantoms = points + references;
-    int right = move_at(moves, place, phantoms + 1).x, top = move_at(moves, place, phantoms + 2).y,
-        bottom = move_at(moves, place, phantoms + 3).y;
-    made->advance = (uint16_t)(glyph->advance + right);
-    made->origin = (int16_t)(glyph->origin + top);
-    made->height = (uint16_t)(glyph->height + top - bottom);
+    mt_glyph_room_at(glyph, moves, place, made);
     return MT_OK;
 }
 
@@ -96,17 +100,11 @@ static mt_status glyphs_at(const mt_font_data *font, int place, mt_arena *arena,
 
 /* ---- masters ------------------------------------------------------------------------------------------- */
 
-/* As the two fonts around it kern there. */
-static mt_status kern(const mt_course *course, mt_spot spot, mt_arena *arena, mt_font_data *master) {
-    const mt_job *job = &course->jobs[spot.step];
-    mt_positions *positions;
+static mt_status kern(const mt_positions *positions, mt_spot spot, mt_arena *arena, mt_font_data *master) {
     mt_kerning *kerning = mt_arena_new(arena, 1, sizeof *kerning);
     if (!kerning) return MT_NO_MEMORY;
-    mt_status status =
-        mt_positions_prepare(job->blend->a, job->blend->b, job->charset, course->units, arena, &positions);
-    if (status == MT_OK) status = mt_positions_kerning(positions, spot.t, arena, kerning);
     master->kerning = kerning;
-    return status;
+    return mt_positions_kerning(positions, spot.step + spot.t, arena, kerning);
 }
 
 static mt_status name_style(int place, mt_arena *arena, const char **style) {
@@ -118,6 +116,17 @@ static mt_status name_style(int place, mt_arena *arena, const char **style) {
     return MT_OK;
 }
 
+/* What all masters say alike. */
+static void take_names(const mt_font_data *font, mt_font_data *master) {
+    master->unique_id = font->unique_id;
+    master->description = font->description;
+    master->copyright = font->copyright;
+    master->trademark = font->trademark;
+    master->designer = font->designer;
+    master->license = font->license;
+    master->license_url = font->license_url;
+}
+
 static mt_status make_master(const mt_course *course, const mt_font_data *font, int place, mt_arena *arena,
                              mt_font_data *master) {
     mt_spot spot = mt_course_spot(course, place);
@@ -126,9 +135,10 @@ static mt_status make_master(const mt_course *course, const mt_font_data *font, 
     master->variation = NULL;
     master->extra_count = 0;
     mt_status status = mt_recipe_fill(blend->a, blend->b, spot.t, font->family, arena, master);
+    take_names(font, master);
     if (status == MT_OK) status = name_style(place, arena, &master->style);
     if (status == MT_OK) status = glyphs_at(font, place, arena, &master->glyphs);
-    if (status == MT_OK) status = kern(course, spot, arena, master);
+    if (status == MT_OK) status = kern(course->positions, spot, arena, master);
     return status;
 }
 

@@ -1,31 +1,32 @@
-/* Anchors of two fonts blended: marks to bases, ligatures and marks, and cursive attachment (GPOS lookup
- * types 3 to 6).
+/* Anchors of fonts blended: marks to bases, ligatures and marks, and cursive attachment (GPOS lookup types 3
+ * to 6).
  *
- * The lookups are A's. A pair of mark and base that B anchors too is attached between A's way and B's; one
- * that only A anchors as in A, each anchor moved with its glyph's outline (anchor_move.h).
+ * The lookups are the first font's, A's. A pair of mark and base that another font, B, anchors too is attached
+ * between A's way and B's; one that B does not anchor as in A, each anchor moved with its glyph's outline
+ * (anchor_move.h).
  *
  * A mark has one anchor in a subtable, and some engines (Uniscribe) stop at a base that has no anchor for a
  * mark's class. So each subtable here has one class of marks, and only the bases with an anchor for it: for
  * each class of A's in each class of B's one with anchors of both, and after these one with the anchors that
- * only A has. */
+ * only A has. A third font divides each of these subtables in the same way, and so on. */
 #ifndef MT_ANCHOR_H
 #define MT_ANCHOR_H
 
-#include "font/charset.h"
 #include "layout/anchor_read.h"
 #include "layout/made.h"
+#include "layout/places.h"
 #include "layout/systems.h"
 
-/* One of the two fonts, as its anchors are read. */
+/* One of the fonts, as its anchors are read. */
 typedef struct mt_anchor_source {
     mt_font *font;
     const mt_layout *layout; /* of GPOS */
     const mt_variations *variations;
 } mt_anchor_source;
 
-/* Where an anchor is at T = 0 and at T = 1, in units of the new font, not rounded. */
+/* Where an anchor is in each font, in units of the new font, not rounded. */
 typedef struct mt_anchor {
-    mt_anchor_point ends[2];
+    mt_anchor_point *in_fonts;
 } mt_anchor;
 
 /* A mark, or a base's component, with its anchor. */
@@ -65,12 +66,13 @@ typedef struct mt_anchors {
     mt_anchor_lookup *lookups; /* in A's order; none is empty */
 } mt_anchors;
 
-/* Reads the anchors of both fonts for the glyphs of the charset, in `units` per em. Malformed subtables are
+/* Reads the anchors of all fonts, one source each, for their glyphs, in `units` per em. Malformed subtables are
  * left out; so is what comes after more work than any font needs (MT_ANCHOR_STEPS_MAX). MT_NO_MEMORY. */
-mt_status mt_anchors_prepare(const mt_anchor_source *a, const mt_anchor_source *b, const mt_systems *systems,
-                             const mt_charset *charset, int units, mt_arena *arena, mt_anchors *anchors);
+mt_status mt_anchors_prepare(const mt_anchor_source *sources, const mt_systems *systems,
+                             const mt_font_glyphs *glyphs, int units, mt_arena *arena, mt_anchors *anchors);
 
-/* Adds the lookups at t to GPOS in the making. MT_NO_MEMORY. */
-mt_status mt_anchors_write(const mt_anchors *anchors, double t, mt_arena *arena, mt_made_lookups *made);
+/* Adds the lookups at these places to GPOS in the making. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_anchors_write(const mt_anchors *anchors, const mt_places *places, mt_arena *arena,
+                           mt_made_lookups *made);
 
 #endif

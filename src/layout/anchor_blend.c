@@ -1,10 +1,16 @@
-/* One mark attachment subtable of A's, blended with what B has for the same marks and bases. */
+/* One mark attachment subtable of A's, blended with what the other fonts have for the same marks and bases. */
 #include "layout/anchor_class.h"
 
 #include <stdlib.h>
 
 /* More components of bases in a subtable are left out: the largest have some thousands. */
 enum { ROWS_MAX = 1 << 18 };
+
+/* A base's component; `index` is the base's place in A's coverage. */
+typedef struct mt_row {
+    uint16_t glyph, component, component_count;
+    int index;
+} mt_row;
 
 /* A's marks, by class, then ascending. */
 static mt_status read_marks(mt_anchor_job *job, const mt_attachment_table *table, mt_read_mark **marks,
@@ -18,7 +24,8 @@ static mt_status read_marks(mt_anchor_job *job, const mt_attachment_table *table
     for (int i = 0; i < entry_count; i++) {
         mt_read_mark *mark = &made[read];
         mark->glyph = entries[i].glyph;
-        if (mt_attachment_mark(table, entries[i].index, job->a->variations, &mark->mark_class, &mark->point))
+        if (mt_attachment_mark(table, entries[i].index, job->sources[0].variations, &mark->mark_class,
+                               &mark->point))
             read++;
     }
     qsort(made, (size_t)read, sizeof *made, mt_read_mark_compare);
@@ -49,6 +56,59 @@ static mt_status read_rows(mt_anchor_job *job, const mt_attachment_table *table,
     return MT_OK;
 }
 
+/* A mark or a base with its place in A. */
+static mt_status anchor(mt_anchor_job *job, mt_anchor_point point, mt_anchored *made) {
+    made->at = mt_anchor_new(job, (mt_anchor){NULL}, 0, &job->scratch);
+    if (!made->at.in_fonts) return MT_NO_MEMORY;
+    made->at.in_fonts[0] = mt_anchor_scaled(job, 0, point);
+    return MT_OK;
+}
+
+static mt_status add_marks(mt_anchor_job *job, const mt_read_mark *marks, int count, mt_attachment *made) {
+    mt_status status = MT_OK;
+    made->marks = mt_arena_new(&job->scratch, (size_t)count, sizeof *made->marks);
+    if (!made->marks) return MT_NO_MEMORY;
+    for (int i = 0; i < count && status == MT_OK; i++) {
+        mt_anchored *mark = &made->marks[made->mark_count++];
+        *mark = (mt_anchored){.glyph = marks[i].glyph, .component_count = 1};
+        status = anchor(job, marks[i].point, mark);
+    }
+    return status;
+}
+
+/* The rows that A has an anchor of for the class. */
+static mt_status add_bases(mt_anchor_job *job, const mt_attachment_table *table, const mt_row *rows,
+                           int count, int mark_class, mt_attachment *made) {
+    mt_status status = MT_OK;
+    made->bases = mt_arena_new(&job->scratch, (size_t)count + 1, sizeof *made->bases);
+    if (!made->bases) return MT_NO_MEMORY;
+    for (int i = 0; i < count && status == MT_OK; i++) {
+        mt_anchor_point point;
+        if (!mt_attachment_base(table, rows[i].index, rows[i].component, mark_class,
+                                job->sources[0].variations, &point))
+            continue;
+        mt_anchored *base = &made->bases[made->base_count++];
+        *base = (mt_anchored){rows[i].glyph, rows[i].component, rows[i].component_count, {NULL}};
+        status = anchor(job, point, base);
+    }
+    return status;
+}
+
+/* Divides a class of A's by the second font, what comes of it by the third, and so on. */
+static mt_status blend_class(mt_anchor_job *job, mt_attachment *in_a, const mt_rivals *rivals,
+                             mt_anchor_lookup *lookup) {
+    int last = job->glyphs->font_count - 1;
+    mt_anchor_lookup done = {.attachment_count = in_a->base_count > 0, .attachments = in_a};
+    mt_status status = MT_OK;
+    for (int k = 1; k <= last; k++) {
+        mt_anchor_lookup next = {.head = lookup->head};
+        for (int i = 0; i < done.attachment_count && status == MT_OK; i++)
+            status = mt_class_divide(job, k, &done.attachments[i], &rivals[k], k == last ? lookup : &next);
+        done = next;
+    }
+    return status;
+}
+
 mt_status mt_attachment_blend(mt_anchor_job *job, mt_bytes subtable, const mt_rivals *rivals,
                               mt_anchor_lookup *lookup) {
     mt_attachment_table table;
@@ -59,15 +119,13 @@ mt_status mt_attachment_blend(mt_anchor_job *job, mt_bytes subtable, const mt_ri
     mt_status status = read_marks(job, &table, &marks, &mark_count);
     if (status == MT_OK) status = read_rows(job, &table, &rows, &row_count);
     for (int i = 0, end; status == MT_OK && i < mark_count; i = end) {
-        end = mt_class_end(marks, mark_count, i);
-        mt_class_work work = {.table = &table,
-                              .marks = marks + i,
-                              .mark_count = end - i,
-                              .rows = rows,
-                              .row_count = row_count,
-                              .words = (row_count + 63) / 64};
+        mt_attachment in_a = {0};
         mt_arena_place place = mt_arena_mark(&job->scratch);
-        status = mt_class_blend(job, &work, rivals, lookup);
+        end = mt_class_end(marks, mark_count, i);
+        if (!mt_anchor_spend(job, row_count)) return MT_OK;
+        status = add_marks(job, marks + i, end - i, &in_a);
+        if (status == MT_OK) status = add_bases(job, &table, rows, row_count, marks[i].mark_class, &in_a);
+        if (status == MT_OK) status = blend_class(job, &in_a, rivals, lookup);
         mt_arena_rewind(&job->scratch, place);
     }
     return status;

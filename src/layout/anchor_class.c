@@ -5,12 +5,23 @@
 
 enum { MARK_STEPS = 2 }; /* to look a mark up, read it and sort it */
 
-static bool is_in(const uint64_t *set, int row) {
-    return set[row / 64] >> (row % 64) & 1;
+/* The marks and bases that are divided. Sets of bases are bit sets of `words` words. */
+typedef struct mt_class_work {
+    int font;
+    const mt_attachment *from;
+    int words;
+    mt_anchor_point *points; /* for each base, of the font's rival at work */
+    uint64_t *all;           /* the bases */
+    uint64_t *covered;       /* for each mark, the bases that both anchors are kept for */
+    uint64_t *found;         /* scratch */
+} mt_class_work;
+
+static bool is_in(const uint64_t *set, int base) {
+    return set[base / 64] >> (base % 64) & 1;
 }
 
-static void put_in(uint64_t *set, int row) {
-    set[row / 64] |= (uint64_t)1 << (row % 64);
+static void put_in(uint64_t *set, int base) {
+    set[base / 64] |= (uint64_t)1 << (base % 64);
 }
 
 static uint64_t *covered_by(const mt_class_work *work, int mark) {
@@ -50,12 +61,23 @@ static mt_attachment *add_attachment(mt_anchor_job *job, mt_anchor_lookup *looku
     return made;
 }
 
-static void add_mark(mt_attachment *made, uint16_t glyph, mt_anchor at) {
-    made->marks[made->mark_count++] = (mt_anchored){glyph, 0, 1, at};
+/* A mark or base with its place in the font too. NULL when there is no memory. */
+static mt_anchored *add_anchored(mt_anchor_job *job, int font, const mt_anchored *from, mt_anchored *to) {
+    *to = *from;
+    to->at = mt_anchor_new(job, from->at, font, job->arena);
+    return to->at.in_fonts ? to : NULL;
 }
 
-static void add_base(mt_attachment *made, const mt_row *row, mt_anchor at) {
-    made->bases[made->base_count++] = (mt_anchored){row->glyph, row->component, row->component_count, at};
+static mt_status add_at(mt_anchor_job *job, int font, const mt_anchored *from, mt_anchor_point point,
+                        mt_anchored *to) {
+    if (!add_anchored(job, font, from, to)) return MT_NO_MEMORY;
+    to->at.in_fonts[font] = mt_anchor_scaled(job, font, point);
+    return MT_OK;
+}
+
+static mt_status add_moved(mt_anchor_job *job, int font, const mt_anchored *from, mt_anchored *to) {
+    if (!add_anchored(job, font, from, to)) return MT_NO_MEMORY;
+    return mt_anchor_move(job, font, from->glyph, to->at);
 }
 
 static int set_size(const uint64_t *set, int words) {
@@ -64,24 +86,25 @@ static int set_size(const uint64_t *set, int words) {
     return count;
 }
 
-/* ---- anchored by both ---------------------------------------------------------------------------------- */
+/* ---- anchored by the font too -------------------------------------------------------------------------- */
 
-/* Finds B's anchors of the rows for a class of a rival. */
-static void find_rows(mt_anchor_job *job, const mt_attachment_table *rival, int mark_class,
-                      mt_class_work *work) {
+/* Finds the font's anchors of the bases for a class of a rival. */
+static void find_bases(mt_anchor_job *job, const mt_attachment_table *rival, int mark_class,
+                       mt_class_work *work) {
+    const uint32_t *own = job->glyphs->of[work->font];
     memset(work->found, 0, (size_t)work->words * sizeof *work->found);
-    for (int i = 0; i < work->row_count; i++) {
-        const mt_row *row = &work->rows[i];
-        uint32_t partner = mt_anchor_partner(job, row->glyph);
-        if (partner == MT_NO_PARTNER || !is_in(work->has, i)) continue;
-        int index = mt_coverage_find(rival->base_coverage, partner);
-        if (mt_attachment_components(rival, index) == row->component_count &&
-            mt_attachment_base(rival, index, row->component, mark_class, job->b->variations, &work->in_b[i]))
+    for (int i = 0; i < work->from->base_count; i++) {
+        const mt_anchored *base = &work->from->bases[i];
+        if (own[base->glyph] == MT_NO_PARTNER) continue;
+        int index = mt_coverage_find(rival->base_coverage, own[base->glyph]);
+        if (mt_attachment_components(rival, index) == base->component_count &&
+            mt_attachment_base(rival, index, base->component, mark_class, job->sources[work->font].variations,
+                               &work->points[i]))
             put_in(work->found, i);
     }
 }
 
-/* Drops from the found rows those that every one of the marks has already, and gives the marks the others. */
+/* Drops from the found bases those that every one of the marks has already, and gives the marks the others. */
 static void cover(const mt_read_mark *marks, int count, mt_class_work *work) {
     for (int w = 0; w < work->words; w++) {
         uint64_t all = ~(uint64_t)0;
@@ -91,39 +114,44 @@ static void cover(const mt_read_mark *marks, int count, mt_class_work *work) {
     }
 }
 
-/* Marks that are of one class in both fonts, with the bases that both anchor for it. */
+/* Marks that are of one class in the font too, with the bases that it anchors for it. */
 static mt_status add_mixed(mt_anchor_job *job, const mt_attachment_table *rival, const mt_read_mark *marks,
                            int count, mt_class_work *work, mt_anchor_lookup *lookup) {
-    if (!mt_anchor_spend(job, work->row_count + (int64_t)count * work->words)) return MT_OK;
-    find_rows(job, rival, marks->mark_class, work);
+    const mt_attachment *from = work->from;
+    if (!mt_anchor_spend(job, from->base_count + (int64_t)count * work->words)) return MT_OK;
+    find_bases(job, rival, marks->mark_class, work);
     cover(marks, count, work);
     int kept = set_size(work->found, work->words);
     if (kept == 0 || !mt_anchor_spend(job, MT_ANCHOR_KEPT_STEPS * (int64_t)(count + kept))) return MT_OK;
     mt_attachment *made = add_attachment(job, lookup, count, kept);
-    if (!made) return MT_NO_MEMORY;
-    for (int i = 0; i < count; i++)
-        add_mark(made, marks[i].glyph,
-                 mt_anchor_mixed(job, work->marks[marks[i].place].point, marks[i].point));
-    for (int i = 0; i < work->row_count; i++)
+    mt_status status = made ? MT_OK : MT_NO_MEMORY;
+    for (int i = 0; i < count && status == MT_OK; i++)
+        status = add_at(job, work->font, &from->marks[marks[i].place], marks[i].point,
+                        &made->marks[made->mark_count++]);
+    for (int i = 0; i < from->base_count && status == MT_OK; i++)
         if (is_in(work->found, i))
-            add_base(made, &work->rows[i], mt_anchor_mixed(job, work->in_a[i], work->in_b[i]));
-    return MT_OK;
+            status =
+                add_at(job, work->font, &from->bases[i], work->points[i], &made->bases[made->base_count++]);
+    return status;
 }
 
 static mt_status blend_rival(mt_anchor_job *job, mt_bytes subtable, mt_class_work *work,
                              mt_anchor_lookup *lookup) {
     mt_attachment_table rival;
-    int count = 0;
+    int count = 0, all = work->from->mark_count;
     mt_status status = MT_OK;
-    if (!mt_attachment_open(subtable, work->table->type, &rival)) return MT_OK;
-    mt_read_mark *marks = mt_arena_new(&job->scratch, (size_t)work->mark_count, sizeof *marks);
+    if (!mt_attachment_open(subtable, lookup->head.type, &rival)) return MT_OK;
+    mt_read_mark *marks = mt_arena_new(&job->scratch, (size_t)all, sizeof *marks);
     if (!marks) return MT_NO_MEMORY;
-    for (int i = 0; i < work->mark_count; i++) {
+    for (int i = 0; i < all; i++) {
         mt_read_mark *mark = &marks[count];
-        uint32_t partner = mt_anchor_partner(job, work->marks[i].glyph);
-        int index = partner == MT_NO_PARTNER ? -1 : mt_coverage_find(rival.mark_coverage, partner);
-        *mark = (mt_read_mark){.glyph = work->marks[i].glyph, .place = i};
-        if (mt_attachment_mark(&rival, index, job->b->variations, &mark->mark_class, &mark->point)) count++;
+        uint16_t glyph = work->from->marks[i].glyph;
+        uint32_t own = job->glyphs->of[work->font][glyph];
+        int index = own == MT_NO_PARTNER ? -1 : mt_coverage_find(rival.mark_coverage, own);
+        *mark = (mt_read_mark){.glyph = glyph, .place = i};
+        if (mt_attachment_mark(&rival, index, job->sources[work->font].variations, &mark->mark_class,
+                               &mark->point))
+            count++;
     }
     qsort(marks, (size_t)count, sizeof *marks, mt_read_mark_compare);
     for (int i = 0, end; i < count && status == MT_OK; i = end) {
@@ -133,24 +161,24 @@ static mt_status blend_rival(mt_anchor_job *job, mt_bytes subtable, mt_class_wor
     return status;
 }
 
-/* Whether the mark has rows in A that are not covered. */
+/* Whether the mark has bases that are not covered. */
 static bool has_left(const mt_class_work *work, int mark) {
     const uint64_t *covered = covered_by(work, mark);
     for (int w = 0; w < work->words; w++)
-        if (work->has[w] & ~covered[w]) return true;
+        if (work->all[w] & ~covered[w]) return true;
     return false;
 }
 
 static int count_left(const mt_class_work *work) {
     int count = 0;
-    for (int i = 0; i < work->mark_count; i++) count += has_left(work, i);
+    for (int i = 0; i < work->from->mark_count; i++) count += has_left(work, i);
     return count;
 }
 
-/* Goes through B's subtables until all is covered. */
+/* Goes through the font's subtables until all is covered. */
 static mt_status blend_rivals(mt_anchor_job *job, mt_class_work *work, const mt_rivals *rivals,
                               mt_anchor_lookup *lookup) {
-    int64_t steps = (int64_t)work->mark_count * (MARK_STEPS + work->words);
+    int64_t steps = (int64_t)work->from->mark_count * (MARK_STEPS + work->words);
     mt_status status = MT_OK;
     for (int i = 0; i < rivals->count && status == MT_OK && mt_anchor_spend(job, steps); i++) {
         if (count_left(work) == 0) break;
@@ -161,59 +189,49 @@ static mt_status blend_rivals(mt_anchor_job *job, mt_class_work *work, const mt_
     return status;
 }
 
-/* ---- anchored by A alone ------------------------------------------------------------------------------- */
+/* ---- not anchored by the font -------------------------------------------------------------------------- */
 
-static mt_status moved(mt_anchor_job *job, uint16_t glyph, mt_anchor_point in_a, mt_anchor *at) {
-    *at = mt_anchor_mixed(job, in_a, (mt_anchor_point){0, 0});
-    return mt_outline_move(&job->moves, glyph, at->ends[0], &at->ends[1]);
-}
-
-/* Finds the rows that are not covered for some mark; returns how many. */
+/* Finds the bases that are not covered for some mark; returns how many. */
 static int find_left(mt_class_work *work) {
     for (int w = 0; w < work->words; w++) {
         uint64_t left = 0;
-        for (int i = 0; i < work->mark_count; i++) left |= work->has[w] & ~covered_by(work, i)[w];
+        for (int i = 0; i < work->from->mark_count; i++) left |= work->all[w] & ~covered_by(work, i)[w];
         work->found[w] = left;
     }
     return set_size(work->found, work->words);
 }
 
 static mt_status add_rest(mt_anchor_job *job, mt_class_work *work, mt_anchor_lookup *lookup) {
+    const mt_attachment *from = work->from;
     int count = count_left(work), kept = find_left(work);
     if (kept == 0 || !mt_anchor_spend(job, MT_ANCHOR_KEPT_STEPS * (int64_t)(count + kept))) return MT_OK;
     mt_attachment *made = add_attachment(job, lookup, count, kept);
-    if (!made) return MT_NO_MEMORY;
-    mt_status status = MT_OK;
-    mt_anchor at;
-    for (int i = 0; i < work->mark_count && status == MT_OK; i++) {
-        if (!has_left(work, i)) continue;
-        status = moved(job, work->marks[i].glyph, work->marks[i].point, &at);
-        add_mark(made, work->marks[i].glyph, at);
-    }
-    for (int i = 0; i < work->row_count && status == MT_OK; i++) {
-        if (!is_in(work->found, i)) continue;
-        status = moved(job, work->rows[i].glyph, work->in_a[i], &at);
-        add_base(made, &work->rows[i], at);
-    }
+    mt_status status = made ? MT_OK : MT_NO_MEMORY;
+    for (int i = 0; i < from->mark_count && status == MT_OK; i++)
+        if (has_left(work, i))
+            status = add_moved(job, work->font, &from->marks[i], &made->marks[made->mark_count++]);
+    for (int i = 0; i < from->base_count && status == MT_OK; i++)
+        if (is_in(work->found, i))
+            status = add_moved(job, work->font, &from->bases[i], &made->bases[made->base_count++]);
     return status;
 }
 
 /* ---- the whole class ----------------------------------------------------------------------------------- */
 
-mt_status mt_class_blend(mt_anchor_job *job, mt_class_work *work, const mt_rivals *rivals,
-                         mt_anchor_lookup *lookup) {
-    size_t rows = (size_t)work->row_count, words = (size_t)work->words, marks = (size_t)work->mark_count;
-    if (!mt_anchor_spend(job, (int64_t)(rows + 16 * marks * words))) return MT_OK;
-    work->in_a = mt_arena_new(&job->scratch, rows, sizeof *work->in_a);
-    work->in_b = mt_arena_new(&job->scratch, rows, sizeof *work->in_b);
-    work->has = mt_arena_new(&job->scratch, words, sizeof *work->has);
-    work->found = mt_arena_new(&job->scratch, words, sizeof *work->found);
-    work->covered = mt_arena_new(&job->scratch, marks * words, sizeof *work->covered);
-    if (!work->in_a || !work->in_b || !work->has || !work->found || !work->covered) return MT_NO_MEMORY;
-    for (int i = 0; i < work->row_count; i++)
-        if (mt_attachment_base(work->table, work->rows[i].index, work->rows[i].component,
-                               work->marks->mark_class, job->a->variations, &work->in_a[i]))
-            put_in(work->has, i);
-    mt_status status = blend_rivals(job, work, rivals, lookup);
-    return status == MT_OK ? add_rest(job, work, lookup) : status;
+mt_status mt_class_divide(mt_anchor_job *job, int font, const mt_attachment *from, const mt_rivals *rivals,
+                          mt_anchor_lookup *lookup) {
+    size_t bases = (size_t)from->base_count, words = (bases + 63) / 64, marks = (size_t)from->mark_count;
+    mt_class_work work = {.font = font, .from = from, .words = (int)words};
+    if (!mt_anchor_spend(job, (int64_t)(bases + 16 * marks * words))) return MT_OK;
+    mt_arena_place place = mt_arena_mark(&job->scratch);
+    work.points = mt_arena_new(&job->scratch, bases, sizeof *work.points);
+    work.all = mt_arena_new(&job->scratch, words, sizeof *work.all);
+    work.found = mt_arena_new(&job->scratch, words, sizeof *work.found);
+    work.covered = mt_arena_new(&job->scratch, marks * words, sizeof *work.covered);
+    if (!work.points || !work.all || !work.found || !work.covered) return MT_NO_MEMORY;
+    for (int i = 0; i < from->base_count; i++) put_in(work.all, i);
+    mt_status status = blend_rivals(job, &work, rivals, lookup);
+    if (status == MT_OK) status = add_rest(job, &work, lookup);
+    mt_arena_rewind(&job->scratch, place);
+    return status;
 }

@@ -18,27 +18,36 @@ static mt_cursive *add_cursive(mt_anchor_job *job, mt_anchor_lookup *lookup, int
     return made->glyphs ? made : NULL;
 }
 
-/* B's anchor, of the first subtable that has one. */
-static bool find_in_b(mt_anchor_job *job, int glyph, int side, const mt_rivals *rivals,
-                      mt_anchor_point *point) {
-    uint32_t partner = mt_anchor_partner(job, glyph);
-    if (partner == MT_NO_PARTNER) return false;
+/* Another font's anchor, of the first subtable that has one. */
+static bool find_rival(mt_anchor_job *job, int font, int glyph, int side, const mt_rivals *rivals,
+                       mt_anchor_point *point) {
+    uint32_t own = job->glyphs->of[font][glyph];
+    if (own == MT_NO_PARTNER) return false;
     for (int i = 0; i < rivals->count && mt_anchor_spend(job, 1); i++) {
-        int index = mt_coverage_find(mt_cursive_coverage(rivals->subtables[i]), partner);
-        if (mt_cursive_anchor(rivals->subtables[i], index, side, job->b->variations, point)) return true;
+        int index = mt_coverage_find(mt_cursive_coverage(rivals->subtables[i]), own);
+        if (mt_cursive_anchor(rivals->subtables[i], index, side, job->sources[font].variations, point))
+            return true;
     }
     return false;
 }
 
 static mt_status blend_side(mt_anchor_job *job, mt_bytes subtable, const mt_entry *entry, int side,
                             const mt_rivals *rivals, mt_cursive_glyph *made) {
-    mt_anchor_point in_a, in_b = {0, 0};
-    if (!mt_cursive_anchor(subtable, entry->index, side, job->a->variations, &in_a)) return MT_OK;
-    mt_anchor *at = &made->at[side];
-    bool both = find_in_b(job, entry->glyph, side, rivals, &in_b);
+    mt_anchor_point point;
+    mt_status status = MT_OK;
+    if (!mt_cursive_anchor(subtable, entry->index, side, job->sources[0].variations, &point)) return MT_OK;
+    mt_anchor at = mt_anchor_new(job, (mt_anchor){NULL}, 0, job->arena);
+    if (!at.in_fonts) return MT_NO_MEMORY;
+    at.in_fonts[0] = mt_anchor_scaled(job, 0, point);
+    for (int k = 1; k < job->glyphs->font_count && status == MT_OK; k++) {
+        if (find_rival(job, k, entry->glyph, side, &rivals[k], &point))
+            at.in_fonts[k] = mt_anchor_scaled(job, k, point);
+        else
+            status = mt_anchor_move(job, k, entry->glyph, at);
+    }
     made->has[side] = true;
-    *at = mt_anchor_mixed(job, in_a, in_b);
-    return both ? MT_OK : mt_outline_move(&job->moves, entry->glyph, at->ends[0], &at->ends[1]);
+    made->at[side] = at;
+    return status;
 }
 
 mt_status mt_cursive_blend(mt_anchor_job *job, mt_bytes subtable, const mt_rivals *rivals,

@@ -11,12 +11,16 @@ struct mt_glyph_boxes {
     mt_box in[2];
 };
 
-mt_status mt_outline_moves_open(mt_font *a, mt_font *b, const mt_charset *charset, int units, mt_arena *arena,
-                                mt_outline_moves *moves) {
-    mt_glyph_boxes *boxes = mt_arena_new(arena, (size_t)charset->glyph_count, sizeof *boxes);
+mt_status mt_outline_moves_open(mt_font *a, mt_font *b, const mt_font_glyphs *glyphs, int font, int units,
+                                mt_arena *arena, mt_outline_moves *moves) {
+    mt_glyph_boxes *boxes = mt_arena_new(arena, (size_t)glyphs->glyph_count, sizeof *boxes);
     if (!boxes) return MT_NO_MEMORY;
-    *moves = (mt_outline_moves){
-        .a = a, .b = b, .charset = charset, .scale = (double)units / MT_EM, .boxes = boxes};
+    *moves = (mt_outline_moves){.a = a,
+                                .b = b,
+                                .in_a = glyphs->of[0],
+                                .in_b = glyphs->of[font],
+                                .scale = (double)units / MT_EM,
+                                .boxes = boxes};
     return MT_OK;
 }
 
@@ -44,11 +48,11 @@ static mt_status read_box(mt_font *font, uint32_t glyph, mt_arena *scratch, mt_b
 }
 
 static mt_status read_boxes(mt_outline_moves *moves, int glyph, mt_glyph_boxes *boxes) {
-    const mt_pairing *pair = &moves->charset->glyphs[glyph];
+    uint32_t a = moves->in_a[glyph], b = moves->in_b[glyph];
     bool in_a = false, in_b = false;
     mt_status status = MT_OK;
-    if (pair->b != MT_NO_PARTNER) status = read_box(moves->a, pair->a, &moves->scratch, &boxes->in[0], &in_a);
-    if (status == MT_OK && in_a) status = read_box(moves->b, pair->b, &moves->scratch, &boxes->in[1], &in_b);
+    if (b != MT_NO_PARTNER) status = read_box(moves->a, a, &moves->scratch, &boxes->in[0], &in_a);
+    if (status == MT_OK && in_a) status = read_box(moves->b, b, &moves->scratch, &boxes->in[1], &in_b);
     boxes->usable = in_a && in_b;
     boxes->known = status == MT_OK;
     return status;

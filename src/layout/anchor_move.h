@@ -4,22 +4,22 @@
 #ifndef MT_ANCHOR_MOVE_H
 #define MT_ANCHOR_MOVE_H
 
-#include "font/charset.h"
 #include "layout/anchor_read.h"
+#include "layout/places.h"
 
 typedef struct mt_glyph_boxes mt_glyph_boxes;
 
 typedef struct mt_outline_moves {
     mt_font *a, *b;
-    const mt_charset *charset;
-    double scale;          /* new units in a grid unit */
-    mt_glyph_boxes *boxes; /* for each glyph of the charset, read when they are asked for */
-    mt_arena scratch;      /* of one outline; the caller releases it */
+    const uint32_t *in_a, *in_b; /* the fonts' own glyphs */
+    double scale;                /* new units in a grid unit */
+    mt_glyph_boxes *boxes;       /* for each glyph, read when they are asked for */
+    mt_arena scratch;            /* of one outline; the caller releases it */
 } mt_outline_moves;
 
-/* MT_NO_MEMORY. */
-mt_status mt_outline_moves_open(mt_font *a, mt_font *b, const mt_charset *charset, int units, mt_arena *arena,
-                                mt_outline_moves *moves);
+/* From the first font, `a`, to `b`, which is number `font`. MT_NO_MEMORY. */
+mt_status mt_outline_moves_open(mt_font *a, mt_font *b, const mt_font_glyphs *glyphs, int font, int units,
+                                mt_arena *arena, mt_outline_moves *moves);
 
 /* The place in B's glyph, both in units of the new font; the same place where either glyph is blank, cannot
  * be read, or is not there. MT_NO_MEMORY. */

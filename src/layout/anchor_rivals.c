@@ -2,10 +2,10 @@
 
 enum { SUBTABLE_STEPS = 16 }; /* what one that is listed counts for */
 
-/* Notes the lookups of B that the system applies for the feature. */
-static void note_feature(mt_anchor_job *job, int in_b, uint32_t tag, bool *wanted) {
-    const mt_layout *layout = job->b->layout;
-    const mt_system *system = &layout->systems[in_b];
+/* Notes the lookups that the font's system applies for the feature. */
+static void note_feature(mt_anchor_job *job, int font, int own, uint32_t tag, bool *wanted) {
+    const mt_layout *layout = job->sources[font].layout;
+    const mt_system *system = &layout->systems[own];
     for (int i = 0; i <= system->feature_count && mt_anchor_spend(job, 1); i++) {
         int feature = mt_system_feature(layout, system, i);
         if (feature < 0 || mt_feature_tag(layout, feature) != tag) continue;
@@ -18,11 +18,12 @@ static void note_feature(mt_anchor_job *job, int in_b, uint32_t tag, bool *wante
 }
 
 /* Keeps only the lookups of the type; returns how many subtables they have. */
-static int count_subtables(mt_anchor_job *job, int type, bool *wanted) {
+static int count_subtables(mt_anchor_job *job, int font, int type, bool *wanted) {
+    const mt_layout *layout = job->sources[font].layout;
     int count = 0;
-    for (int i = 0; i < job->b->layout->lookup_count; i++) {
+    for (int i = 0; i < layout->lookup_count; i++) {
         if (!wanted[i]) continue;
-        mt_lookup lookup = mt_layout_lookup(job->b->layout, i);
+        mt_lookup lookup = mt_layout_lookup(layout, i);
         wanted[i] =
             lookup.type == type && mt_anchor_spend(job, SUBTABLE_STEPS * (int64_t)lookup.subtable_count);
         if (wanted[i]) count += lookup.subtable_count;
@@ -30,22 +31,23 @@ static int count_subtables(mt_anchor_job *job, int type, bool *wanted) {
     return count;
 }
 
-mt_status mt_rivals_find(mt_anchor_job *job, const mt_made_lookup *lookup, mt_rivals *rivals) {
-    int lookup_count = job->b->layout->lookup_count, count = 0;
+mt_status mt_rivals_find(mt_anchor_job *job, int font, const mt_made_lookup *lookup, mt_rivals *rivals) {
+    const mt_layout *layout = job->sources[font].layout;
+    int lookup_count = layout->lookup_count, count = 0;
     bool *wanted = mt_arena_new(&job->scratch, (size_t)lookup_count + 1, sizeof *wanted);
     if (!wanted) return MT_NO_MEMORY;
     for (int i = 0; i < lookup->member_count && mt_anchor_spend(job, 1); i++) {
-        int system = job->systems->list[lookup->members[i].system].b;
-        if (system >= 0) note_feature(job, system, lookup->members[i].feature, wanted);
+        int system = job->systems->list[lookup->members[i].system].own[font];
+        if (system >= 0) note_feature(job, font, system, lookup->members[i].feature, wanted);
     }
     bool can = mt_anchor_spend(job, lookup_count);
-    int all = can ? count_subtables(job, lookup->type, wanted) : 0;
+    int all = can ? count_subtables(job, font, lookup->type, wanted) : 0;
     mt_bytes *subtables = mt_arena_new(&job->scratch, (size_t)all + 1, sizeof *subtables);
     if (!subtables) return MT_NO_MEMORY;
     for (int i = lookup_count - 1; i >= 0 && count < all; i--) {
         if (!wanted[i]) continue;
-        mt_lookup in_b = mt_layout_lookup(job->b->layout, i);
-        for (int j = 0; j < in_b.subtable_count; j++) subtables[count++] = mt_lookup_subtable(&in_b, j);
+        mt_lookup rival = mt_layout_lookup(layout, i);
+        for (int j = 0; j < rival.subtable_count; j++) subtables[count++] = mt_lookup_subtable(&rival, j);
     }
     *rivals = (mt_rivals){count, subtables};
     return MT_OK;

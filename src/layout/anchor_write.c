@@ -18,14 +18,14 @@ mt_status mt_subtables_add(mt_table *table, mt_arena *arena, mt_subtables *subta
     return MT_OK;
 }
 
-static mt_status write_lookup(const mt_anchor_lookup *lookup, double t, mt_arena *arena,
+static mt_status write_lookup(const mt_anchor_lookup *lookup, const mt_places *places, mt_arena *arena,
                               mt_made_lookups *made) {
     mt_subtables subtables = {0};
     mt_status status = MT_OK;
     for (int i = 0; i < lookup->attachment_count && status == MT_OK; i++)
-        status = mt_attachment_write(&lookup->attachments[i], lookup->head.type, t, arena, &subtables);
+        status = mt_attachment_write(&lookup->attachments[i], lookup->head.type, places, arena, &subtables);
     for (int i = 0; i < lookup->cursive_count && status == MT_OK; i++)
-        status = mt_cursive_write(&lookup->cursives[i], t, arena, &subtables);
+        status = mt_cursive_write(&lookup->cursives[i], places, arena, &subtables);
     if (status != MT_OK || subtables.count == 0) return status;
     mt_made_lookup head = lookup->head;
     head.subtable_count = subtables.count;
@@ -33,9 +33,10 @@ static mt_status write_lookup(const mt_anchor_lookup *lookup, double t, mt_arena
     return mt_made_add(made, &head, arena);
 }
 
-mt_status mt_anchors_write(const mt_anchors *anchors, double t, mt_arena *arena, mt_made_lookups *made) {
+mt_status mt_anchors_write(const mt_anchors *anchors, const mt_places *places, mt_arena *arena,
+                           mt_made_lookups *made) {
     mt_status status = MT_OK;
     for (int i = 0; i < anchors->count && status == MT_OK; i++)
-        status = write_lookup(&anchors->lookups[i], t, arena, made);
+        status = write_lookup(&anchors->lookups[i], places, arena, made);
     return status;
 }

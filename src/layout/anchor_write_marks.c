@@ -2,14 +2,15 @@
 #include "layout/anchor_pool.h"
 #include "layout/anchor_write.h"
 
-/* A subtable has a header, both coverages, the marks and the bases, in this order. With so many marks, and
- * bases that take up to 64 KB, 8 bytes at least each, the bases start under 64 KB. */
-enum { HEADER_SIZE = 12, MARKS_MAX = 4000, BASES_SIZE_MAX = 65535 };
+/* A subtable has a header, both coverages, the marks and the bases, in this order. With so many marks, of 10 bytes
+ * each, and bases that take up to 64 KB, 8 bytes at least each, the bases start under 64 KB; where anchors vary, a mark
+ * takes up to 26 bytes, and bases are counted as 24 at least. */
+enum { HEADER_SIZE = 12, MARKS_MAX = 4000, MARKS_MAX_VARYING = 2000, BASES_SIZE_MAX = 65535 };
 
 /* A part of an attachment that makes one subtable. */
 typedef struct mt_part {
     int type;
-    double t;
+    const mt_places *places;
     const mt_anchored *marks, *bases;
     int mark_count, base_count, glyph_count; /* glyphs: a base's components are one */
 } mt_part;
@@ -31,26 +32,24 @@ static mt_status write_coverage(const mt_anchored *anchored, int count, mt_arena
     return MT_OK;
 }
 
-static mt_status pool_of(const mt_anchored *anchored, int count, double t, mt_arena *arena,
+static mt_status pool_of(const mt_anchored *anchored, int count, const mt_places *places, mt_arena *arena,
                          mt_anchor_pool *pool) {
-    mt_status status = mt_anchor_pool_open(t, count, arena, pool);
-    if (status != MT_OK) return status;
-    for (int i = 0; i < count; i++) mt_anchor_pool_add(pool, &anchored[i].at);
-    mt_anchor_pool_close(pool);
-    return MT_OK;
+    mt_status status = mt_anchor_pool_open(places, count, arena, pool);
+    for (int i = 0; i < count && status == MT_OK; i++) status = mt_anchor_pool_add(pool, anchored[i].at);
+    if (status == MT_OK) mt_anchor_pool_close(pool);
+    return status;
 }
 
 static mt_status write_marks(const mt_part *part, mt_arena *arena, mt_table *table) {
     mt_anchor_pool pool;
-    mt_status status = pool_of(part->marks, part->mark_count, part->t, arena, &pool);
+    mt_status status = pool_of(part->marks, part->mark_count, part->places, arena, &pool);
     if (status != MT_OK) return status;
     mt_table_16(table, part->mark_count);
     for (int i = 0; i < part->mark_count; i++) {
         mt_table_16(table, 0);
-        mt_table_16(table, 2 + 4 * part->mark_count + mt_anchor_pool_find(&pool, &part->marks[i].at));
+        mt_table_16(table, 2 + 4 * part->mark_count + mt_anchor_pool_find(&pool, part->marks[i].at));
     }
-    mt_anchor_pool_write(&pool, table);
-    return MT_OK;
+    return mt_anchor_pool_write(&pool, table);
 }
 
 /* One ligature's components; the pool starts `to_pool` bytes from here. */
@@ -59,7 +58,7 @@ static void write_ligature(const mt_anchored *bases, int count, int to_pool, con
     mt_table_16(table, bases->component_count);
     for (int c = 0, i = 0; c < bases->component_count; c++) {
         bool has = i < count && bases[i].component == c;
-        mt_table_16(table, has ? to_pool + mt_anchor_pool_find(pool, &bases[i].at) : 0);
+        mt_table_16(table, has ? to_pool + mt_anchor_pool_find(pool, bases[i].at) : 0);
         i += has;
     }
 }
@@ -85,16 +84,15 @@ static void write_ligatures(const mt_part *part, const mt_anchor_pool *pool, mt_
 
 static mt_status write_bases(const mt_part *part, mt_arena *arena, mt_table *table) {
     mt_anchor_pool pool;
-    mt_status status = pool_of(part->bases, part->base_count, part->t, arena, &pool);
+    mt_status status = pool_of(part->bases, part->base_count, part->places, arena, &pool);
     if (status != MT_OK) return status;
     mt_table_16(table, part->glyph_count);
     if (part->type == MT_MARK_TO_LIGATURE)
         write_ligatures(part, &pool, table);
     else
         for (int i = 0; i < part->base_count; i++)
-            mt_table_16(table, 2 + 2 * part->base_count + mt_anchor_pool_find(&pool, &part->bases[i].at));
-    mt_anchor_pool_write(&pool, table);
-    return MT_OK;
+            mt_table_16(table, 2 + 2 * part->base_count + mt_anchor_pool_find(&pool, part->bases[i].at));
+    return mt_anchor_pool_write(&pool, table);
 }
 
 /* ---- subtables ----------------------------------------------------------------------------------------- */
@@ -134,7 +132,7 @@ static mt_status write_part(const mt_part *part, mt_arena *arena, mt_subtables *
 
 /* What the components start … end of one base take at most. */
 static int base_size(const mt_part *part, int start, int end) {
-    int anchors = MT_ANCHOR_SIZE * (end - start);
+    int anchors = mt_anchor_size_most(part->places) * (end - start);
     return part->type == MT_MARK_TO_LIGATURE ? 2 + ligature_size(&part->bases[start]) + anchors : 2 + anchors;
 }
 
@@ -152,15 +150,17 @@ static int fitting_bases(const mt_part *all, int start, int *glyph_count) {
     return at - start;
 }
 
-mt_status mt_attachment_write(const mt_attachment *attachment, int type, double t, mt_arena *arena,
-                              mt_subtables *subtables) {
-    mt_part all = {.type = type, .t = t, .bases = attachment->bases, .base_count = attachment->base_count};
+mt_status mt_attachment_write(const mt_attachment *attachment, int type, const mt_places *places,
+                              mt_arena *arena, mt_subtables *subtables) {
+    mt_part all = {
+        .type = type, .places = places, .bases = attachment->bases, .base_count = attachment->base_count};
+    int most = places->store ? MARKS_MAX_VARYING : MARKS_MAX;
     mt_status status = MT_OK;
     for (int b = 0, count, glyphs; b < all.base_count && status == MT_OK; b += count) {
         count = fitting_bases(&all, b, &glyphs);
-        for (int m = 0; m < attachment->mark_count && glyphs && status == MT_OK; m += MARKS_MAX) {
-            int marks = attachment->mark_count - m < MARKS_MAX ? attachment->mark_count - m : MARKS_MAX;
-            mt_part part = {type, t, attachment->marks + m, all.bases + b, marks, count, glyphs};
+        for (int m = 0; m < attachment->mark_count && glyphs && status == MT_OK; m += most) {
+            int marks = attachment->mark_count - m < most ? attachment->mark_count - m : most;
+            mt_part part = {type, places, attachment->marks + m, all.bases + b, marks, count, glyphs};
             status = write_part(&part, arena, subtables);
         }
         if (!glyphs) count = glyph_end(all.bases, all.base_count, b) - b;

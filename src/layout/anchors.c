@@ -1,7 +1,8 @@
-/* The anchors of two fonts, lookup by lookup of A's. */
+/* The anchors of all fonts, lookup by lookup of A's. */
 #include "layout/anchor_job.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- the job ------------------------------------------------------------------------------------------- */
 
@@ -9,21 +10,20 @@ enum { GLYPH_NUMBERS = 65536 };
 
 /* Lists the new glyphs by A's. */
 static mt_status index_glyphs(mt_anchor_job *job) {
-    int count = job->charset->glyph_count;
+    int count = job->glyphs->glyph_count;
+    const uint32_t *in_a = job->glyphs->of[0];
     job->first = mt_arena_new(job->arena, GLYPH_NUMBERS + 1, sizeof *job->first);
     job->new_of_a = mt_arena_new(job->arena, (size_t)count, sizeof *job->new_of_a);
     uint32_t *next = mt_arena_new(&job->scratch, GLYPH_NUMBERS, sizeof *next);
     if (!job->first || !job->new_of_a || !next) return MT_NO_MEMORY;
     for (int i = 0; i < count; i++)
-        if (job->charset->glyphs[i].a < GLYPH_NUMBERS) job->first[job->charset->glyphs[i].a + 1]++;
+        if (in_a[i] < GLYPH_NUMBERS) job->first[in_a[i] + 1]++;
     for (int i = 0; i < GLYPH_NUMBERS; i++) {
         next[i] = job->first[i];
         job->first[i + 1] += job->first[i];
     }
-    for (int i = 0; i < count; i++) {
-        uint32_t a = job->charset->glyphs[i].a;
-        if (a < GLYPH_NUMBERS) job->new_of_a[next[a]++] = (uint16_t)i;
-    }
+    for (int i = 0; i < count; i++)
+        if (in_a[i] < GLYPH_NUMBERS) job->new_of_a[next[in_a[i]]++] = (uint16_t)i;
     return MT_OK;
 }
 
@@ -56,13 +56,18 @@ mt_status mt_anchor_entries(mt_anchor_job *job, mt_bytes coverage, mt_entry **en
     return MT_OK;
 }
 
-mt_anchor mt_anchor_mixed(const mt_anchor_job *job, mt_anchor_point in_a, mt_anchor_point in_b) {
-    double a = job->scale_a, b = job->scale_b;
-    return (mt_anchor){{{a * in_a.x, a * in_a.y}, {b * in_b.x, b * in_b.y}}};
+mt_anchor mt_anchor_new(mt_anchor_job *job, mt_anchor from, int known, mt_arena *arena) {
+    mt_anchor made = {mt_arena_new(arena, (size_t)job->glyphs->font_count, sizeof *made.in_fonts)};
+    if (made.in_fonts && known) memcpy(made.in_fonts, from.in_fonts, (size_t)known * sizeof *made.in_fonts);
+    return made;
 }
 
-uint32_t mt_anchor_partner(const mt_anchor_job *job, int glyph) {
-    return job->charset->glyphs[glyph].b;
+mt_anchor_point mt_anchor_scaled(const mt_anchor_job *job, int font, mt_anchor_point point) {
+    return (mt_anchor_point){job->scales[font] * point.x, job->scales[font] * point.y};
+}
+
+mt_status mt_anchor_move(mt_anchor_job *job, int font, int glyph, mt_anchor anchor) {
+    return mt_outline_move(&job->moves[font], glyph, anchor.in_fonts[0], &anchor.in_fonts[font]);
 }
 
 /* ---- lookups ------------------------------------------------------------------------------------------- */
@@ -70,33 +75,36 @@ uint32_t mt_anchor_partner(const mt_anchor_job *job, int glyph) {
 /* A's lookup as it goes into the new font; one that is in no feature has nothing. */
 static mt_status blend_lookup(mt_anchor_job *job, int order, const mt_lookup *in_a, mt_anchor_lookup *made) {
     mt_member *members;
-    mt_rivals rivals = {0};
+    mt_rivals rivals[MT_STOPS_MAX] = {0};
     made->head =
         (mt_made_lookup){.order = order, .type = in_a->type, .flag = in_a->flag, .mark_set = in_a->mark_set};
-    mt_status status = mt_members_of(job->a->layout, order, job->arena, &members, &made->head.member_count);
+    mt_status status =
+        mt_members_of(job->sources[0].layout, order, job->arena, &members, &made->head.member_count);
     if (status != MT_OK || made->head.member_count == 0) return status;
     made->head.members = members;
     mt_arena_reset(&job->scratch);
     status = mt_systems_spread(job->systems, job->arena, &made->head);
-    if (status == MT_OK) status = mt_rivals_find(job, &made->head, &rivals);
+    for (int k = 1; k < job->glyphs->font_count && status == MT_OK; k++)
+        status = mt_rivals_find(job, k, &made->head, &rivals[k]);
     mt_arena_place place = mt_arena_mark(&job->scratch);
     for (int i = 0; i < in_a->subtable_count && status == MT_OK && mt_anchor_spend(job, 1); i++) {
         mt_bytes subtable = mt_lookup_subtable(in_a, i);
         if (in_a->type == MT_CURSIVE)
-            status = mt_cursive_blend(job, subtable, &rivals, made);
+            status = mt_cursive_blend(job, subtable, rivals, made);
         else
-            status = mt_attachment_blend(job, subtable, &rivals, made);
+            status = mt_attachment_blend(job, subtable, rivals, made);
         mt_arena_rewind(&job->scratch, place);
     }
     return status;
 }
 
 static mt_status blend_lookups(mt_anchor_job *job, mt_anchors *anchors) {
-    int lookup_count = job->a->layout->lookup_count;
+    const mt_layout *layout = job->sources[0].layout;
+    int lookup_count = layout->lookup_count;
     anchors->lookups = mt_arena_new(job->arena, (size_t)lookup_count + 1, sizeof *anchors->lookups);
     if (!anchors->lookups) return MT_NO_MEMORY;
     for (int i = 0; i < lookup_count; i++) {
-        mt_lookup in_a = mt_layout_lookup(job->a->layout, i);
+        mt_lookup in_a = mt_layout_lookup(layout, i);
         mt_anchor_lookup made = {0};
         if (in_a.type < MT_CURSIVE || in_a.type > MT_MARK_TO_MARK || !mt_anchor_spend(job, 1)) continue;
         mt_status status = blend_lookup(job, i, &in_a, &made);
@@ -106,24 +114,29 @@ static mt_status blend_lookups(mt_anchor_job *job, mt_anchors *anchors) {
     return MT_OK;
 }
 
-mt_status mt_anchors_prepare(const mt_anchor_source *a, const mt_anchor_source *b, const mt_systems *systems,
-                             const mt_charset *charset, int units, mt_arena *arena, mt_anchors *anchors) {
-    mt_anchor_job job = {
-        .a = a,
-        .b = b,
-        .scale_a = (double)units / mt_font_units(a->font),
-        .scale_b = (double)units / mt_font_units(b->font),
-        .systems = systems,
-        .charset = charset,
-        .arena = arena,
-        .steps = MT_ANCHOR_STEPS_MAX,
-    };
+static mt_status open_moves(mt_anchor_job *job, int units) {
+    mt_status status = MT_OK;
+    for (int k = 1; k < job->glyphs->font_count && status == MT_OK; k++)
+        status = mt_outline_moves_open(job->sources[0].font, job->sources[k].font, job->glyphs, k, units,
+                                       job->arena, &job->moves[k]);
+    return status;
+}
+
+mt_status mt_anchors_prepare(const mt_anchor_source *sources, const mt_systems *systems,
+                             const mt_font_glyphs *glyphs, int units, mt_arena *arena, mt_anchors *anchors) {
+    mt_anchor_job job = {.sources = sources,
+                         .systems = systems,
+                         .glyphs = glyphs,
+                         .arena = arena,
+                         .steps = MT_ANCHOR_STEPS_MAX};
     mt_anchors made = {0};
+    for (int k = 0; k < glyphs->font_count; k++)
+        job.scales[k] = (double)units / mt_font_units(sources[k].font);
     mt_status status = index_glyphs(&job);
-    if (status == MT_OK) status = mt_outline_moves_open(a->font, b->font, charset, units, arena, &job.moves);
+    if (status == MT_OK) status = open_moves(&job, units);
     if (status == MT_OK) status = blend_lookups(&job, &made);
     mt_arena_release(&job.scratch);
-    mt_arena_release(&job.moves.scratch);
+    for (int k = 1; k < glyphs->font_count; k++) mt_arena_release(&job.moves[k].scratch);
     if (status == MT_OK) *anchors = made;
     return status;
 }

@@ -14,29 +14,28 @@ enum {
 
 /* What is looked for, and what is found of it in each font. */
 typedef struct mt_feature_search {
-    const mt_feature_source *sources;
+    const mt_feature_sources *sources;
     const mt_systems *systems;
     int type;
     mt_arena *arena;
     mt_feature_jobs *jobs;
-    int lookups[2][MT_SYSTEM_LOOKUPS_MAX];
-    int counts[2];
-    bool kern_table[2];
+    int lookups[MT_STOPS_MAX][MT_SYSTEM_LOOKUPS_MAX];
+    int counts[MT_STOPS_MAX];
+    bool kern_table[MT_STOPS_MAX];
 } mt_feature_search;
 
 static int own_system(const mt_feature_search *search, int system, int s) {
-    const mt_shared_system *shared = &search->systems->list[system];
-    return s == 0 ? shared->a : shared->b;
+    return search->systems->list[system].own[s];
 }
 
 static void find_lookups(mt_feature_search *search, int system, uint32_t tag) {
-    for (int s = 0; s < 2; s++) {
-        const mt_feature_source *source = &search->sources[s];
+    for (int s = 0; s < search->sources->count; s++) {
+        const mt_layout *layout = search->sources->layouts[s];
         int own = own_system(search, system, s);
-        search->counts[s] = mt_system_lookups(source->layout, own, tag, search->type, search->lookups[s],
-                                              MT_SYSTEM_LOOKUPS_MAX);
-        search->kern_table[s] = tag == KERN && search->type == MT_LOOKUP_PAIR && source->kern_table &&
-                                !mt_system_has_feature(source->layout, own, tag);
+        search->counts[s] =
+            mt_system_lookups(layout, own, tag, search->type, search->lookups[s], MT_SYSTEM_LOOKUPS_MAX);
+        search->kern_table[s] = tag == KERN && search->type == MT_LOOKUP_PAIR &&
+                                search->sources->kern_tables[s] && !mt_system_has_feature(layout, own, tag);
     }
 }
 
@@ -46,9 +45,9 @@ typedef struct mt_flag_group {
     int flag, mark_set;
 } mt_flag_group;
 
-/* What lies in GDEF is A's: of B's flags only those stay that do without it. */
+/* What lies in GDEF is the first font's: of others' flags only those stay that do without it. */
 static mt_flag_group flags_of(const mt_feature_search *search, int s, int i) {
-    mt_lookup lookup = mt_layout_lookup(search->sources[s].layout, search->lookups[s][i]);
+    mt_lookup lookup = mt_layout_lookup(search->sources->layouts[s], search->lookups[s][i]);
     if (s == 0) return (mt_flag_group){lookup.flag, lookup.mark_set};
     return (mt_flag_group){lookup.flag & 0x000F, -1};
 }
@@ -59,10 +58,10 @@ static int find_group(const mt_flag_group *groups, int count, mt_flag_group grou
     return -1;
 }
 
-/* The groups of A's lookups; of B's where A has none. */
+/* The groups of the first font's lookups; of the next font's that has any, where it has none. */
 static int list_groups(const mt_feature_search *search, mt_flag_group *groups) {
     int count = 0;
-    for (int s = 0; s < 2 && count == 0; s++) {
+    for (int s = 0; s < search->sources->count && count == 0; s++) {
         for (int i = 0; i < search->counts[s]; i++) {
             mt_flag_group group = flags_of(search, s, i);
             if (find_group(groups, count, group) < 0) groups[count++] = group;
@@ -90,15 +89,21 @@ static mt_status find_part(const mt_feature_search *search, int s, const mt_flag
 
 static bool same_part(const mt_feature_part *p, const mt_feature_part *q) {
     return p->count == q->count && p->kern_table == q->kern_table &&
-           memcmp(p->lookups, q->lookups, (size_t)p->count * sizeof *p->lookups) == 0;
+           (p->count == 0 || memcmp(p->lookups, q->lookups, (size_t)p->count * sizeof *p->lookups) == 0);
 }
 
-/* Whether the job is the same, or is A's same lookups for another feature of the same system: a lookup that is in two
- * features is applied once. */
+static bool same_others(const mt_feature_job *job, const mt_feature_job *other) {
+    for (int s = 1; s < MT_STOPS_MAX; s++)
+        if (!same_part(&job->parts[s], &other->parts[s])) return false;
+    return true;
+}
+
+/* Whether the job is the same, or is the first font's same lookups for another feature of the same system: a lookup
+ * that is in two features is applied once. */
 static bool is_same(const mt_feature_job *job, const mt_feature_job *other, mt_member member) {
     if (job->head.flag != other->head.flag || job->head.mark_set != other->head.mark_set) return false;
     if (!same_part(&job->parts[0], &other->parts[0])) return false;
-    if (same_part(&job->parts[1], &other->parts[1])) return true;
+    if (same_others(job, other)) return true;
     mt_member last = job->head.members[job->head.member_count - 1];
     return job->parts[0].count && last.system == member.system && member.feature != VKRN &&
            last.feature != VKRN;
@@ -139,7 +144,7 @@ static mt_status add_feature(mt_feature_search *search, int system, uint32_t tag
     int count = list_groups(search, groups);
     for (int g = 0; g < count; g++) {
         mt_feature_job job = make_job(search, groups[g]);
-        for (int s = 0; s < 2; s++) {
+        for (int s = 0; s < search->sources->count; s++) {
             mt_status status = find_part(search, s, groups, count, g, &job.parts[s]);
             if (status != MT_OK) return status;
         }
@@ -160,9 +165,10 @@ static bool is_repeated(const mt_layout *layout, const mt_system *system, int i,
     return false;
 }
 
-/* The features of A's, but for those in `apart`. */
-static mt_status add_features_of_a(mt_feature_search *search, int system, const uint32_t *apart, int count) {
-    const mt_layout *layout = search->sources[0].layout;
+/* The features of the first font's, but for those in `apart`. */
+static mt_status add_features_of_first(mt_feature_search *search, int system, const uint32_t *apart,
+                                       int count) {
+    const mt_layout *layout = search->sources->layouts[0];
     int own = own_system(search, system, 0);
     const mt_system *s = own < 0 ? NULL : &layout->systems[own];
     mt_status status = MT_OK;
@@ -176,10 +182,10 @@ static mt_status add_features_of_a(mt_feature_search *search, int system, const 
     return status;
 }
 
-mt_status mt_feature_jobs_find(const mt_feature_source sources[2], const mt_systems *systems, int type,
+mt_status mt_feature_jobs_find(const mt_feature_sources *sources, const mt_systems *systems, int type,
                                mt_arena *arena, mt_feature_jobs *jobs) {
-    static const uint32_t of_both[] = {KERN, VKRN, DIST};
-    int both_count = type == MT_LOOKUP_PAIR ? 3 : 0;
+    static const uint32_t of_all[] = {KERN, VKRN, DIST};
+    int all_count = type == MT_LOOKUP_PAIR ? 3 : 0;
     mt_feature_jobs made = {0};
     mt_feature_search search = {
         .sources = sources, .systems = systems, .type = type, .arena = arena, .jobs = &made};
@@ -187,20 +193,20 @@ mt_status mt_feature_jobs_find(const mt_feature_source sources[2], const mt_syst
     if (!made.list) return MT_NO_MEMORY;
     mt_status status = MT_OK;
     for (int i = 0; i < systems->count && status == MT_OK; i++) {
-        for (int k = 0; k < both_count && status == MT_OK; k++) status = add_feature(&search, i, of_both[k]);
-        if (status == MT_OK) status = add_features_of_a(&search, i, of_both, both_count);
+        for (int k = 0; k < all_count && status == MT_OK; k++) status = add_feature(&search, i, of_all[k]);
+        if (status == MT_OK) status = add_features_of_first(&search, i, of_all, all_count);
     }
     if (status == MT_OK) *jobs = made;
     return status;
 }
 
-mt_status mt_feature_job_whole(const mt_feature_source sources[2], const mt_systems *systems, int system,
+mt_status mt_feature_job_whole(const mt_feature_sources *sources, const mt_systems *systems, int system,
                                uint32_t tag, int type, mt_arena *arena, mt_feature_job *job) {
     mt_flag_group any = {0, -1};
     mt_feature_search search = {.sources = sources, .systems = systems, .type = type, .arena = arena};
     find_lookups(&search, system, tag);
     mt_feature_job made = make_job(&search, any);
-    for (int s = 0; s < 2; s++) {
+    for (int s = 0; s < sources->count; s++) {
         mt_status status = find_part(&search, s, NULL, 0, 0, &made.parts[s]);
         if (status != MT_OK) return status;
     }

@@ -29,8 +29,8 @@ static mt_status list_groups(const uint16_t *of, int glyph_count, int count, mt_
 
 /* The place of the horizontal advance among the parts; -1 when there is none. */
 static int find_advance(const mt_mixed_pairs *mixed) {
-    for (int k = 0; k < mixed->part_count; k++)
-        if (mixed->parts[k] == MT_VALUE_X_ADVANCE) return k;
+    for (int k = 0; k < mixed->values.part_count; k++)
+        if (mixed->values.parts[k] == MT_VALUE_X_ADVANCE) return k;
     return -1;
 }
 
@@ -46,7 +46,7 @@ static int list_pairs(const mt_mixed_pairs *mixed, int part, mt_kerning_pair *pa
         }
     for (int i = 0; i < mixed->listed_count; i++) {
         mt_listed_pair listed = mixed->listed[i];
-        int value = mixed->listed_values[i * mixed->part_count + part];
+        int value = mt_mixed_listed(mixed, i)[part];
         if (value == mt_mixed_cell(mixed, mixed->row_of[listed.left], mixed->column_of[listed.right])[part])
             continue;
         if (pairs) pairs[count] = (mt_kerning_pair){true, true, listed.left, listed.right, value};
@@ -75,10 +75,12 @@ static mt_status tell(const mt_mixed_pairs *mixed, mt_arena *arena, mt_kerning *
 mt_status mt_positions_kerning(const mt_positions *positions, double t, mt_arena *arena,
                                mt_kerning *kerning) {
     mt_arena scratch = {0};
+    mt_places places = {positions->font_count, 1, &t, NULL};
     mt_mixed_pairs mixed;
     mt_kerning made = {0};
     mt_status status = MT_OK;
-    if (positions->has_plain_kerning) status = mt_pairs_mix(&positions->plain_kerning, t, &scratch, &mixed);
+    if (positions->has_plain_kerning)
+        status = mt_pairs_mix(&positions->plain_kerning, &places, &scratch, &mixed);
     if (status == MT_OK && positions->has_plain_kerning) status = tell(&mixed, arena, &made);
     mt_arena_release(&scratch);
     if (status == MT_OK) *kerning = made;

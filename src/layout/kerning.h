@@ -25,7 +25,7 @@ typedef struct mt_kerning {
     const mt_kerning_pair *pairs;
 } mt_kerning;
 
-/* The kerning at t (0 … 1) of the script that text in Latin is set by; empty where neither font kerns, or where
+/* The kerning at t, as mt_positions_write has it, of the script that text in Latin is set by; empty where no font kerns, or where
  * their classes together are too many (MT_PAIR_CELLS_MAX). It belongs to the arena. MT_NO_MEMORY. */
 mt_status mt_positions_kerning(const mt_positions *positions, double t, mt_arena *arena, mt_kerning *kerning);
 

@@ -78,10 +78,10 @@ static void sort_keys(mt_pair_keys *keys) {
     keys->count = kept;
 }
 
-static mt_status collect_keys(const mt_pair_side sides[2], const mt_pairs *pairs, mt_arena *scratch,
+static mt_status collect_keys(const mt_pair_side *sides, const mt_pairs *pairs, mt_arena *scratch,
                               mt_pair_keys *keys) {
     mt_status status = MT_OK;
-    for (int s = 0; s < 2 && status == MT_OK; s++) {
+    for (int s = 0; s < pairs->font_count && status == MT_OK; s++) {
         mt_new_glyphs glyphs;
         status = find_new_glyphs(&sides[s], pairs->glyph_count, scratch, &glyphs);
         for (int i = 0; i < pairs->glyph_count && status == MT_OK; i++)
@@ -118,23 +118,26 @@ static bool find_value(const mt_pair_side *side, const mt_pair_matrix *matrix, c
     return differs;
 }
 
-/* Both fonts' values; B's are A's where B has not both glyphs. */
-static bool find_values(const mt_pair_side sides[2], const mt_pairs *pairs, int32_t *const rows[2],
+/* All fonts' values; the first's where one has not both glyphs. */
+static bool find_values(const mt_pair_side *sides, const mt_pairs *pairs, int32_t *const *rows,
                         mt_listed_pair listed, double *values) {
     size_t count = (size_t)pairs->part_count;
-    bool differs = find_value(&sides[0], &pairs->ends[0], pairs, rows[0], listed, values);
-    if (sides[1].left_of[listed.left] >= 0 && sides[1].right_of[listed.right] >= 0)
-        differs |= find_value(&sides[1], &pairs->ends[1], pairs, rows[1], listed, values + count);
-    else
-        memcpy(values + count, values, count * sizeof *values);
+    bool differs = false;
+    for (int s = 0; s < pairs->font_count; s++) {
+        double *value = values + (size_t)s * count;
+        if (sides[s].left_of[listed.left] >= 0 && sides[s].right_of[listed.right] >= 0)
+            differs |= find_value(&sides[s], &pairs->fonts[s], pairs, rows[s], listed, value);
+        else
+            memcpy(value, values, count * sizeof *value);
+    }
     return differs;
 }
 
-static mt_status keep_pairs(const mt_pair_side sides[2], const mt_pair_keys *keys, mt_arena *scratch,
+static mt_status keep_pairs(const mt_pair_side *sides, const mt_pair_keys *keys, mt_arena *scratch,
                             mt_arena *arena, mt_pairs *pairs) {
-    int32_t *rows[2];
-    size_t step = 2 * (size_t)pairs->part_count;
-    for (int s = 0; s < 2; s++) {
+    int32_t *rows[MT_STOPS_MAX];
+    size_t step = (size_t)pairs->font_count * (size_t)pairs->part_count;
+    for (int s = 0; s < pairs->font_count; s++) {
         rows[s] = mt_arena_new(scratch, (size_t)sides[s].source->count + 1, sizeof *rows[s]);
         if (!rows[s]) return MT_NO_MEMORY;
     }
@@ -144,7 +147,7 @@ static mt_status keep_pairs(const mt_pair_side sides[2], const mt_pair_keys *key
     int count = 0, last = -1;
     for (size_t i = 0; i < keys->count; i++) {
         mt_listed_pair pair = {(uint16_t)(keys->keys[i] >> 16), (uint16_t)keys->keys[i]};
-        for (int s = 0; s < 2 && pair.left != last; s++)
+        for (int s = 0; s < pairs->font_count && pair.left != last; s++)
             if (sides[s].left_of[pair.left] >= 0) find_rows(&sides[s], pair.left, rows[s]);
         last = pair.left;
         if (!find_values(sides, pairs, rows, pair, pairs->listed_values + (size_t)count * step)) continue;
@@ -154,11 +157,12 @@ static mt_status keep_pairs(const mt_pair_side sides[2], const mt_pair_keys *key
     return MT_OK;
 }
 
-mt_status mt_pairs_list(const mt_pair_side sides[2], mt_arena *arena, mt_pairs *pairs) {
+mt_status mt_pairs_list(const mt_pair_side *sides, mt_arena *arena, mt_pairs *pairs) {
     mt_arena scratch = {0};
     mt_pair_keys keys = {0};
     mt_status status = collect_keys(sides, pairs, &scratch, &keys);
-    int64_t subtables = sides[0].source->count + sides[1].source->count;
+    int64_t subtables = 0;
+    for (int s = 0; s < pairs->font_count; s++) subtables += sides[s].source->count;
     if (status == MT_OK && !mt_pair_spend(sides[0].steps, (int64_t)keys.count * subtables))
         status = MT_TOO_LARGE;
     if (status == MT_OK) status = keep_pairs(sides, &keys, &scratch, arena, pairs);

@@ -17,28 +17,16 @@ mt_status mt_pair_writer_add(mt_pair_writer *writer, mt_table *table) {
     return status;
 }
 
-unsigned mt_pair_format(const mt_mixed_pairs *mixed, const int *values, int count) {
-    unsigned format = 0;
-    for (int i = 0; i < count; i++)
-        for (int k = 0; k < mixed->part_count; k++)
-            if (values[i * mixed->part_count + k]) format |= 1u << mixed->parts[k];
-    return format;
-}
-
-void mt_pair_write_header(mt_table *table, int format, size_t coverage, unsigned value_format) {
+void mt_pair_write_header(mt_table *table, int format, size_t coverage, mt_value_format values) {
     mt_table_16(table, format);
     mt_table_16(table, (int)coverage);
-    mt_table_16(table, (int)(value_format & 0xF));
-    mt_table_16(table, (int)(value_format >> MT_VALUE_PARTS));
+    mt_table_16(table, mt_value_format_field(values, 0));
+    mt_table_16(table, mt_value_format_field(values, MT_VALUE_PARTS));
 }
 
-void mt_pair_write_values(mt_table *table, const mt_mixed_pairs *mixed, unsigned format, const int *values) {
-    for (int k = 0; k < mixed->part_count; k++)
-        if (format >> mixed->parts[k] & 1) mt_table_16(table, values[k]);
-}
-
-mt_status mt_pairs_write(const mt_mixed_pairs *mixed, mt_arena *arena, mt_bytes **subtables, int *count) {
-    mt_pair_writer writer = {.mixed = mixed, .arena = arena};
+mt_status mt_pairs_write(const mt_mixed_pairs *mixed, mt_var_store *store, mt_arena *arena,
+                         mt_bytes **subtables, int *count) {
+    mt_pair_writer writer = {.mixed = mixed, .store = store, .arena = arena};
     mt_status status = mt_pair_write_list(&writer);
     if (status == MT_OK) status = mt_pair_write_matrix(&writer);
     if (status != MT_OK) return status;

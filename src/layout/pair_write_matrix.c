@@ -1,7 +1,6 @@
 /* PairPosFormat2 (OpenType spec, "Pair adjustment positioning subtable format 2"). */
 #include <string.h>
 
-#include "layout/intern.h"
 #include "layout/pair_write.h"
 
 /* Some rows of the matrix, as one subtable: classes 0, 1, … of left glyphs are rows first, first + 1, … */
@@ -9,31 +8,43 @@ typedef struct mt_matrix_part {
     int first, end;
     mt_interned columns; /* distinct ones of these rows; the first is all 0 */
     int *column_of;      /* of each column of the matrix */
-    unsigned format;
+    mt_value_format format;
+    mt_variation_pool pool; /* of what varies */
+    mt_table records;
 } mt_matrix_part;
 
 static mt_status merge_columns(const mt_mixed_pairs *mixed, mt_matrix_part *part, mt_arena *scratch) {
-    int parts = mixed->part_count, zero;
-    part->columns.width = (part->end - part->first) * parts;
+    int width = mt_value_row_width(&mixed->values), zero;
+    part->columns.width = (part->end - part->first) * width;
     part->column_of = mt_arena_new(scratch, (size_t)mixed->column_count, sizeof *part->column_of);
     int32_t *column = mt_arena_new(scratch, (size_t)part->columns.width, sizeof *column);
     if (!part->column_of || !column) return MT_NO_MEMORY;
     mt_status status = mt_intern_filled(&part->columns, 0, &zero);
     for (int c = 0; c < mixed->column_count && status == MT_OK; c++) {
         for (int r = part->first; r < part->end; r++)
-            memcpy(column + (r - part->first) * parts, mt_mixed_cell(mixed, r, c),
-                   (size_t)parts * sizeof *column);
+            memcpy(column + (r - part->first) * width, mt_mixed_cell(mixed, r, c),
+                   (size_t)width * sizeof *column);
         status = mt_intern(&part->columns, column, &part->column_of[c]);
-        part->format |= mt_pair_format(mixed, column, part->end - part->first);
+        part->format = mt_value_format_join(
+            part->format, mt_value_format_of(&mixed->values, column, part->end - part->first));
     }
     return status;
 }
 
-static void write_records(const mt_mixed_pairs *mixed, const mt_matrix_part *part, mt_table *table) {
-    int parts = mixed->part_count;
+enum { HEADER = 16 };
+
+/* The values of all pairs of classes, and what varies in them. MT_TOO_LARGE where that could not be reached. */
+static mt_status write_records(const mt_mixed_pairs *mixed, mt_matrix_part *part) {
+    size_t rows = (size_t)(part->end - part->first), columns = (size_t)part->columns.count;
+    size_t to_pool = HEADER + rows * columns * mt_value_format_size(part->format);
+    int width = mt_value_row_width(&mixed->values);
+    if (to_pool > MT_OFFSET_MAX) return MT_TOO_LARGE;
     for (int r = 0; r < part->end - part->first; r++)
         for (int c = 0; c < part->columns.count; c++)
-            mt_pair_write_values(table, mixed, part->format, mt_interned_row(&part->columns, c) + r * parts);
+            mt_value_write(&part->records, &mixed->values, part->format,
+                           mt_interned_row(&part->columns, c) + r * width, &part->pool, to_pool);
+    mt_variation_pool_write(&part->pool, &part->records);
+    return part->pool.status;
 }
 
 /* Coverage and ClassDef of the left glyphs, ClassDef of the right ones. */
@@ -58,14 +69,10 @@ static mt_status write_glyphs(const mt_mixed_pairs *mixed, const mt_matrix_part 
     return MT_OK;
 }
 
-enum { HEADER = 16 };
-
 /* Puts the subtable together; the longest of the three tables comes last, so that its offset is the smallest that can
  * be. MT_TOO_LARGE where an offset does not reach. */
-static mt_status assemble(const mt_mixed_pairs *mixed, const mt_matrix_part *part, const mt_table tables[3],
-                          mt_table *table) {
-    size_t rows = (size_t)(part->end - part->first), columns = (size_t)part->columns.count;
-    size_t at = HEADER + rows * columns * mt_value_size(part->format), offsets[3];
+static mt_status assemble(const mt_matrix_part *part, const mt_table tables[3], mt_table *table) {
+    size_t at = HEADER + part->records.length, offsets[3];
     int last = 2;
     for (int i = 0; i < 2; i++)
         if (tables[i].length > tables[last].length) last = i;
@@ -79,9 +86,10 @@ static mt_status assemble(const mt_mixed_pairs *mixed, const mt_matrix_part *par
     mt_pair_write_header(table, 2, offsets[0], part->format);
     mt_table_16(table, (int)offsets[1]);
     mt_table_16(table, (int)offsets[2]);
-    mt_table_16(table, (int)rows);
-    mt_table_16(table, (int)columns);
-    write_records(mixed, part, table);
+    mt_table_16(table, part->end - part->first);
+    mt_table_16(table, part->columns.count);
+    mt_table_bytes(table, part->records.bytes, part->records.length);
+    table->failed |= part->records.failed;
     for (int i = 0; i < 3; i++)
         if (i != last) mt_table_bytes(table, tables[i].bytes, tables[i].length);
     mt_table_bytes(table, tables[last].bytes, tables[last].length);
@@ -92,10 +100,9 @@ static mt_status assemble(const mt_mixed_pairs *mixed, const mt_matrix_part *par
 static mt_status write_part(mt_pair_writer *writer, mt_matrix_part *part, mt_arena *scratch) {
     mt_table tables[3] = {0}, table = {0};
     mt_status status = merge_columns(writer->mixed, part, scratch);
-    size_t cells = (size_t)(part->end - part->first) * (size_t)part->columns.count;
-    if (status == MT_OK && cells > MT_OFFSET_MAX / 2) status = MT_TOO_LARGE;
+    if (status == MT_OK) status = write_records(writer->mixed, part);
     if (status == MT_OK) status = write_glyphs(writer->mixed, part, scratch, tables);
-    if (status == MT_OK) status = assemble(writer->mixed, part, tables, &table);
+    if (status == MT_OK) status = assemble(part, tables, &table);
     if (status == MT_OK) status = mt_pair_writer_add(writer, &table);
     for (int i = 0; i < 3; i++) mt_table_free(&tables[i]);
     mt_table_free(&table);
@@ -104,10 +111,12 @@ static mt_status write_part(mt_pair_writer *writer, mt_matrix_part *part, mt_are
 
 /* Rows first … end, in halves where they are too many for one subtable. */
 static mt_status write_rows(mt_pair_writer *writer, int first, int end, mt_arena *scratch) {
-    mt_matrix_part part = {.first = first, .end = end};
+    mt_matrix_part part = {.first = first, .end = end, .pool = mt_variation_pool_make(writer->store)};
     mt_arena_place place = mt_arena_mark(scratch);
     mt_status status = write_part(writer, &part, scratch);
     mt_interned_free(&part.columns);
+    mt_variation_pool_free(&part.pool);
+    mt_table_free(&part.records);
     mt_arena_rewind(scratch, place);
     if (status != MT_TOO_LARGE || end - first == 1) return status;
     int middle = first + (end - first) / 2;

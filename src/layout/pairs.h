@@ -1,12 +1,12 @@
-/* Pair adjustment of two fonts in one structure: what both have for each pair of new glyphs.
+/* Pair adjustment of fonts in one structure: what each has for each pair of new glyphs.
  *
- * On each side, a class of new glyphs is a class of A's glyphs and one of B's: those that the font's matrices do not
- * tell apart. Pairs that either font gives one by one, and that differ from the classes' value, are listed. */
+ * On each side, a class of new glyphs is a class of each font's glyphs: those that the font's matrices do not tell
+ * apart. Pairs that any font gives one by one, and that differ from the classes' value, are listed. */
 #ifndef MT_PAIRS_H
 #define MT_PAIRS_H
 
-#include "font/charset.h"
 #include "layout/pair_source.h"
+#include "layout/places.h"
 
 /* One font's values for its own classes; row 0 and column 0 are of glyphs of which it says nothing. */
 typedef struct mt_pair_matrix {
@@ -14,17 +14,13 @@ typedef struct mt_pair_matrix {
     double *values; /* rows × columns × part_count */
 } mt_pair_matrix;
 
-enum { MT_NO_CLASS = -1 }; /* of B, for a glyph without partner: its pairs are A's */
+enum { MT_NO_CLASS = -1 }; /* of a glyph that a font has not: its pairs are the first font's */
 
-/* A class of new glyphs, as left or as right glyphs; number 0 is {0, 0}. */
-typedef struct mt_pair_class {
-    int a, b;
-} mt_pair_class;
-
+/* Classes of new glyphs, as left or as right glyphs; number 0 is class 0 of every font. */
 typedef struct mt_pair_classes {
     int count;
-    mt_pair_class *list;
-    uint16_t *of; /* of each new glyph */
+    int *in_fonts; /* each font's own class, for each class in turn */
+    uint16_t *of;  /* the class of each new glyph */
 } mt_pair_classes;
 
 typedef struct mt_listed_pair {
@@ -32,24 +28,25 @@ typedef struct mt_listed_pair {
 } mt_listed_pair;
 
 typedef struct mt_pairs {
-    int glyph_count;
+    int font_count, glyph_count;
     int part_count;
     uint8_t parts[MT_PAIR_PARTS]; /* which of a pair's parts the values are of, ascending */
-    mt_pair_matrix ends[2];
+    mt_pair_matrix *fonts;        /* what each has */
     mt_pair_classes left, right;
     int listed_count;
     mt_listed_pair *listed; /* ascending */
-    double *listed_values;  /* of A and of B in turn, part_count each */
+    double *listed_values;  /* of each font in turn, part_count each, for each pair in turn */
 } mt_pairs;
 
-/* The most that pairs may come to: cells of a matrix, and pairs listed; and what all of two fonts' pairs may cost, in steps
+/* The most that pairs may come to: cells of a matrix, and pairs listed; and what all of the fonts' pairs may cost, in steps
  * (a glyph looked up in a subtable, a pair read). A malformed font can ask for any number; the largest fonts take a
  * tenth. */
 enum { MT_PAIR_CELLS_MAX = 1 << 22, MT_PAIRS_LISTED_MAX = 1 << 20, MT_PAIR_STEPS_MAX = 1 << 26 };
 
-/* `most` is how many cells the new classes may make, MT_PAIR_CELLS_MAX at most; `steps` is what is left of the steps, and
- * is taken from. MT_TOO_LARGE for more than that, MT_NO_MEMORY. */
-mt_status mt_pairs_prepare(const mt_pair_source *a, const mt_pair_source *b, const mt_charset *charset,
-                           int most, int64_t *steps, mt_arena *arena, mt_pairs *pairs);
+/* `most` is how many cells the new classes of two fonts may make, MT_PAIR_CELLS_MAX at most, and of more fonts the
+ * fewer; `steps` is what is left of the steps, and
+ * is taken from; there is a source for each font. MT_TOO_LARGE for more than that, MT_NO_MEMORY. */
+mt_status mt_pairs_prepare(const mt_pair_source *const *sources, const mt_font_glyphs *glyphs, int most,
+                           int64_t *steps, mt_arena *arena, mt_pairs *pairs);
 
 #endif

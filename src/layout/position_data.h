@@ -8,12 +8,12 @@
 #include "layout/positions.h"
 #include "layout/singles.h"
 
-/* Pair adjustment that is to be lookups: mostly one. Where the two fonts' classes together would be too many, each
- * font's own is one, and what they give adds up. */
+/* Pair adjustment that is to be lookups: mostly one. Where the fonts' classes together would be too many, each font's own
+ * is one, and what they give adds up. */
 typedef struct mt_pair_position {
     mt_made_lookup head; /* without subtables */
     int count;
-    mt_pairs pairs[2];
+    mt_pairs *pairs;
 } mt_pair_position;
 
 typedef struct mt_single_position {
@@ -22,6 +22,7 @@ typedef struct mt_single_position {
 } mt_single_position;
 
 struct mt_positions {
+    int font_count;
     mt_systems systems;
     int pair_count, single_count;
     mt_pair_position *pairs;

@@ -1,11 +1,12 @@
 #include "layout/positions.h"
 
 #include "font/sfnt.h"
+#include "layout/gdef.h"
 #include "layout/gpos.h"
 #include "layout/pair_write.h"
 #include "layout/position_data.h"
 
-/* ---- the two fonts ------------------------------------------------------------------------------------- */
+/* ---- the fonts ----------------------------------------------------------------------------------------- */
 
 typedef struct mt_position_source {
     mt_font *font;
@@ -30,9 +31,9 @@ static mt_status open_source(mt_font *font, int units, mt_arena *arena, mt_posit
 
 /* What the parts of the preparation share. */
 typedef struct mt_position_job {
-    mt_position_source sources[2];
-    mt_feature_source features[2];
-    const mt_charset *charset;
+    mt_position_source sources[MT_STOPS_MAX];
+    mt_feature_sources features;
+    mt_font_glyphs glyphs;
     mt_arena *arena;
     mt_arena scratch;   /* of the tables, and what is read of them */
     int64_t pair_steps; /* that are left */
@@ -49,21 +50,28 @@ static mt_status pair_source(const mt_position_source *source, const mt_feature_
 }
 
 /* What each font's lookups make of a feature. */
-static mt_status pair_sources(mt_position_job *job, const mt_feature_job *feature, mt_pair_source own[2]) {
+static mt_status pair_sources(mt_position_job *job, const mt_feature_job *feature, mt_pair_source *own) {
     mt_status status = MT_OK;
-    for (int s = 0; s < 2 && status == MT_OK; s++)
+    for (int s = 0; s < job->glyphs.font_count && status == MT_OK; s++)
         status = pair_source(&job->sources[s], &feature->parts[s], &job->scratch, &own[s]);
     return status;
 }
 
+static mt_status prepare_together(const mt_pair_source *own, int most, mt_position_job *job,
+                                  mt_pairs *pairs) {
+    const mt_pair_source *sources[MT_STOPS_MAX];
+    for (int s = 0; s < job->glyphs.font_count; s++) sources[s] = &own[s];
+    return mt_pairs_prepare(sources, &job->glyphs, most, &job->pair_steps, job->arena, pairs);
+}
+
 /* Each font's pairs alone; what is too large even so is left out. */
-static mt_status prepare_apart(const mt_pair_source own[2], mt_position_job *job,
-                               mt_pair_position *position) {
+static mt_status prepare_apart(const mt_pair_source *own, mt_position_job *job, mt_pair_position *position) {
     static const mt_pair_source none;
     mt_status status = MT_OK;
-    for (int s = 0; s < 2 && status == MT_OK; s++) {
-        status = mt_pairs_prepare(s == 0 ? &own[0] : &none, s == 1 ? &own[1] : &none, job->charset,
-                                  MT_PAIR_CELLS_MAX, &job->pair_steps, job->arena,
+    for (int s = 0; s < job->glyphs.font_count && status == MT_OK; s++) {
+        const mt_pair_source *sources[MT_STOPS_MAX];
+        for (int k = 0; k < job->glyphs.font_count; k++) sources[k] = k == s ? &own[s] : &none;
+        status = mt_pairs_prepare(sources, &job->glyphs, MT_PAIR_CELLS_MAX, &job->pair_steps, job->arena,
                                   &position->pairs[position->count]);
         if (status == MT_OK) position->count++;
         if (status == MT_TOO_LARGE) status = MT_OK;
@@ -75,12 +83,12 @@ enum { TOGETHER_MAX = 1 << 19 }; /* cells: a megabyte where only advances change
 
 static mt_status prepare_pairs(mt_position_job *job, const mt_feature_job *feature,
                                mt_pair_position *position) {
-    mt_pair_source own[2];
+    mt_pair_source own[MT_STOPS_MAX];
     *position = (mt_pair_position){.head = feature->head};
+    position->pairs = mt_arena_new(job->arena, (size_t)job->glyphs.font_count, sizeof *position->pairs);
+    if (!position->pairs) return MT_NO_MEMORY;
     mt_status status = pair_sources(job, feature, own);
-    if (status == MT_OK)
-        status = mt_pairs_prepare(&own[0], &own[1], job->charset, TOGETHER_MAX, &job->pair_steps, job->arena,
-                                  &position->pairs[0]);
+    if (status == MT_OK) status = prepare_together(own, TOGETHER_MAX, job, &position->pairs[0]);
     position->count = status == MT_OK;
     return status == MT_TOO_LARGE ? prepare_apart(own, job, position) : status;
 }
@@ -89,7 +97,7 @@ static mt_status prepare_all_pairs(mt_position_job *job) {
     mt_positions *positions = job->positions;
     mt_feature_jobs found;
     mt_status status =
-        mt_feature_jobs_find(job->features, &positions->systems, MT_LOOKUP_PAIR, job->arena, &found);
+        mt_feature_jobs_find(&job->features, &positions->systems, MT_LOOKUP_PAIR, job->arena, &found);
     if (status != MT_OK) return status;
     positions->pairs = mt_arena_new(job->arena, (size_t)found.count + 1, sizeof *positions->pairs);
     if (!positions->pairs) return MT_NO_MEMORY;
@@ -111,15 +119,13 @@ static int plain_system(const mt_systems *systems) {
 /* Kerning that is too large is left out. */
 static mt_status prepare_plain_kerning(mt_position_job *job) {
     mt_feature_job feature;
-    mt_pair_source own[2];
+    mt_pair_source own[MT_STOPS_MAX];
     mt_positions *positions = job->positions;
     mt_status status =
-        mt_feature_job_whole(job->features, &positions->systems, plain_system(&positions->systems),
+        mt_feature_job_whole(&job->features, &positions->systems, plain_system(&positions->systems),
                              MT_TAG('k', 'e', 'r', 'n'), MT_LOOKUP_PAIR, job->arena, &feature);
     if (status == MT_OK) status = pair_sources(job, &feature, own);
-    if (status == MT_OK)
-        status = mt_pairs_prepare(&own[0], &own[1], job->charset, MT_PAIR_CELLS_MAX, &job->pair_steps,
-                                  job->arena, &positions->plain_kerning);
+    if (status == MT_OK) status = prepare_together(own, MT_PAIR_CELLS_MAX, job, &positions->plain_kerning);
     positions->has_plain_kerning = status == MT_OK;
     return status == MT_TOO_LARGE ? MT_OK : status;
 }
@@ -128,14 +134,14 @@ static mt_status prepare_plain_kerning(mt_position_job *job) {
 
 /* One that is too large, which no font's is, is left out. */
 static mt_status prepare_single(mt_position_job *job, const mt_feature_job *feature) {
-    mt_single_source own[2];
-    for (int s = 0; s < 2; s++)
+    mt_single_source own[MT_STOPS_MAX];
+    for (int s = 0; s < job->glyphs.font_count; s++)
         own[s] =
             (mt_single_source){&job->sources[s].layout, &job->sources[s].variations, job->sources[s].scale,
                                feature->parts[s].count, feature->parts[s].lookups};
     mt_single_position *position = &job->positions->singles[job->positions->single_count];
     position->head = feature->head;
-    mt_status status = mt_singles_prepare(&own[0], &own[1], job->charset, job->arena, &position->singles);
+    mt_status status = mt_singles_prepare(own, &job->glyphs, job->arena, &position->singles);
     job->positions->single_count += status == MT_OK;
     return status == MT_TOO_LARGE ? MT_OK : status;
 }
@@ -144,7 +150,7 @@ static mt_status prepare_singles(mt_position_job *job) {
     mt_positions *positions = job->positions;
     mt_feature_jobs found;
     mt_status status =
-        mt_feature_jobs_find(job->features, &positions->systems, MT_LOOKUP_SINGLE, job->arena, &found);
+        mt_feature_jobs_find(&job->features, &positions->systems, MT_LOOKUP_SINGLE, job->arena, &found);
     if (status != MT_OK) return status;
     positions->singles = mt_arena_new(job->arena, (size_t)found.count + 1, sizeof *positions->singles);
     if (!positions->singles) return MT_NO_MEMORY;
@@ -155,37 +161,45 @@ static mt_status prepare_singles(mt_position_job *job) {
 /* ---- all ----------------------------------------------------------------------------------------------- */
 
 static mt_status prepare_anchors(mt_position_job *job, int units) {
-    mt_anchor_source own[2];
-    for (int s = 0; s < 2; s++)
+    mt_anchor_source own[MT_STOPS_MAX];
+    for (int s = 0; s < job->glyphs.font_count; s++)
         own[s] =
             (mt_anchor_source){job->sources[s].font, &job->sources[s].layout, &job->sources[s].variations};
-    return mt_anchors_prepare(&own[0], &own[1], &job->positions->systems, job->charset, units, job->arena,
+    return mt_anchors_prepare(own, &job->positions->systems, &job->glyphs, units, job->arena,
                               &job->positions->anchors);
 }
 
-static mt_status prepare(mt_position_job *job, mt_font *fonts[2], int units) {
+static mt_status open_sources(mt_position_job *job, mt_font *const *fonts, int units) {
     mt_status status = MT_OK;
-    for (int s = 0; s < 2 && status == MT_OK; s++) {
+    job->features.count = job->glyphs.font_count;
+    for (int s = 0; s < job->features.count && status == MT_OK; s++) {
         mt_position_source *source = &job->sources[s];
         status = open_source(fonts[s], units, &job->scratch, source);
-        job->features[s] = (mt_feature_source){&source->layout, mt_kern_table_kerns(source->kern)};
+        job->features.layouts[s] = &source->layout;
+        job->features.kern_tables[s] = status == MT_OK && mt_kern_table_kerns(source->kern);
     }
+    return status;
+}
+
+static mt_status prepare(mt_position_job *job, mt_font *const *fonts, int units) {
+    mt_status status = open_sources(job, fonts, units);
     if (status == MT_OK)
-        status = mt_systems_make(&job->sources[0].layout, &job->sources[1].layout, job->arena,
-                                 &job->positions->systems);
+        status =
+            mt_systems_make(job->features.layouts, job->features.count, job->arena, &job->positions->systems);
     if (status == MT_OK) status = prepare_all_pairs(job);
     if (status == MT_OK) status = prepare_plain_kerning(job);
     if (status == MT_OK) status = prepare_singles(job);
     return status == MT_OK ? prepare_anchors(job, units) : status;
 }
 
-mt_status mt_positions_prepare(mt_font *a, mt_font *b, const mt_charset *charset, int units, mt_arena *arena,
-                               mt_positions **positions) {
-    mt_font *fonts[] = {a, b};
-    mt_position_job job = {.charset = charset, .arena = arena, .pair_steps = MT_PAIR_STEPS_MAX};
+mt_status mt_positions_prepare(mt_font *const *fonts, const mt_charset *charsets, int font_count, int units,
+                               mt_arena *arena, mt_positions **positions) {
+    mt_position_job job = {.arena = arena, .pair_steps = MT_PAIR_STEPS_MAX};
     job.positions = mt_arena_new(arena, 1, sizeof *job.positions);
     if (!job.positions) return MT_NO_MEMORY;
-    mt_status status = prepare(&job, fonts, units);
+    job.positions->font_count = font_count;
+    mt_status status = mt_font_glyphs_make(charsets, font_count, &job.scratch, &job.glyphs);
+    if (status == MT_OK) status = prepare(&job, fonts, units);
     mt_arena_release(&job.scratch);
     if (status == MT_OK) *positions = job.positions;
     return status;
@@ -193,15 +207,16 @@ mt_status mt_positions_prepare(mt_font *a, mt_font *b, const mt_charset *charset
 
 /* ---- writing ------------------------------------------------------------------------------------------- */
 
-static mt_status write_pairs(const mt_pair_position *position, double t, mt_arena *scratch,
+static mt_status write_pairs(const mt_pair_position *position, const mt_places *places, mt_arena *scratch,
                              mt_made_lookups *made) {
     mt_status status = MT_OK;
     for (int i = 0; i < position->count && status == MT_OK; i++) {
         mt_made_lookup lookup = position->head;
         mt_mixed_pairs mixed;
         mt_bytes *subtables;
-        status = mt_pairs_mix(&position->pairs[i], t, scratch, &mixed);
-        if (status == MT_OK) status = mt_pairs_write(&mixed, scratch, &subtables, &lookup.subtable_count);
+        status = mt_pairs_mix(&position->pairs[i], places, scratch, &mixed);
+        if (status == MT_OK)
+            status = mt_pairs_write(&mixed, places->store, scratch, &subtables, &lookup.subtable_count);
         if (status != MT_OK) return status;
         lookup.subtables = subtables;
         status = mt_made_add(made, &lookup, scratch);
@@ -209,25 +224,46 @@ static mt_status write_pairs(const mt_pair_position *position, double t, mt_aren
     return status;
 }
 
-static mt_status write_singles(const mt_single_position *position, double t, mt_arena *scratch,
+static mt_status write_singles(const mt_single_position *position, const mt_places *places, mt_arena *scratch,
                                mt_made_lookups *made) {
     mt_made_lookup lookup = position->head;
     mt_bytes *subtables;
-    mt_status status = mt_singles_write(&position->singles, t, scratch, &subtables, &lookup.subtable_count);
+    mt_status status =
+        mt_singles_write(&position->singles, places, scratch, &subtables, &lookup.subtable_count);
     lookup.subtables = subtables;
     return status == MT_OK ? mt_made_add(made, &lookup, scratch) : status;
 }
 
-mt_status mt_positions_write(const mt_positions *positions, double t, mt_arena *arena, mt_bytes *gpos) {
+static mt_status write_at(const mt_positions *positions, const mt_places *places, mt_arena *arena,
+                          mt_bytes *gpos) {
     mt_arena scratch = {0};
     mt_made_lookups made = {0};
     mt_status status = MT_OK;
     for (int i = 0; i < positions->pair_count && status == MT_OK; i++)
-        status = write_pairs(&positions->pairs[i], t, &scratch, &made);
+        status = write_pairs(&positions->pairs[i], places, &scratch, &made);
     for (int i = 0; i < positions->single_count && status == MT_OK; i++)
-        status = write_singles(&positions->singles[i], t, &scratch, &made);
-    if (status == MT_OK) status = mt_anchors_write(&positions->anchors, t, &scratch, &made);
+        status = write_singles(&positions->singles[i], places, &scratch, &made);
+    if (status == MT_OK) status = mt_anchors_write(&positions->anchors, places, &scratch, &made);
     if (status == MT_OK) status = mt_gpos_write(&positions->systems, &made, arena, gpos);
     mt_arena_release(&scratch);
+    return status;
+}
+
+mt_status mt_positions_write(const mt_positions *positions, double t, mt_arena *arena, mt_bytes *gpos) {
+    mt_places places = {positions->font_count, 1, &t, NULL};
+    return write_at(positions, &places, arena, gpos);
+}
+
+mt_status mt_positions_write_varying(const mt_positions *positions, mt_bytes plain_gdef, mt_arena *arena,
+                                     mt_bytes *gpos, mt_bytes *gdef) {
+    double at[MT_STOPS_MAX];
+    mt_var_store store = mt_var_store_make(positions->font_count);
+    mt_places places = {positions->font_count, positions->font_count, at, &store};
+    mt_bytes made;
+    for (int i = 0; i < places.count; i++) at[i] = i;
+    mt_status status = write_at(positions, &places, arena, &made);
+    if (status == MT_OK) status = mt_gdef_vary(plain_gdef, &store, arena, gdef);
+    mt_var_store_free(&store);
+    if (status == MT_OK) *gpos = made;
     return status;
 }

@@ -46,16 +46,17 @@ int mt_system_lookups(const mt_layout *layout, int system, uint32_t tag, int typ
 
 /* ---- the list ------------------------------------------------------------------------------------------ */
 
-/* Whether two systems of B have the same pair adjustment. */
-static bool kern_alike(const mt_layout *b, int one, int other) {
+/* Whether two systems of a font have the same pair adjustment. */
+static bool kern_alike(const mt_layout *layout, int one, int other) {
     static const uint32_t tags[] = {MT_TAG('k', 'e', 'r', 'n'), MT_TAG('v', 'k', 'r', 'n'),
                                     MT_TAG('d', 'i', 's', 't')};
     int in_one[MT_SYSTEM_LOOKUPS_MAX], in_other[MT_SYSTEM_LOOKUPS_MAX];
     /* Without the feature, the 'kern' table would stand for it. */
-    if (mt_system_has_feature(b, one, tags[0]) != mt_system_has_feature(b, other, tags[0])) return false;
+    if (mt_system_has_feature(layout, one, tags[0]) != mt_system_has_feature(layout, other, tags[0]))
+        return false;
     for (int i = 0; i < 3; i++) {
-        int count = mt_system_lookups(b, one, tags[i], 2, in_one, MT_SYSTEM_LOOKUPS_MAX);
-        int others = mt_system_lookups(b, other, tags[i], 2, in_other, MT_SYSTEM_LOOKUPS_MAX);
+        int count = mt_system_lookups(layout, one, tags[i], 2, in_one, MT_SYSTEM_LOOKUPS_MAX);
+        int others = mt_system_lookups(layout, other, tags[i], 2, in_other, MT_SYSTEM_LOOKUPS_MAX);
         if (count != others || memcmp(in_one, in_other, (size_t)count * sizeof *in_one) != 0) return false;
     }
     return true;
@@ -67,38 +68,54 @@ static bool is_listed(const mt_systems *systems, uint32_t script, uint32_t langu
     return false;
 }
 
-static void add_those_of_b(const mt_layout *a, const mt_layout *b, mt_systems *systems) {
+/* The systems of all fonts for a script and language. */
+static mt_shared_system shared_system(const mt_layout *const *layouts, int font_count, uint32_t script,
+                                      uint32_t language) {
+    mt_shared_system made = {script, language, {0}};
+    for (int k = 0; k < font_count; k++) made.own[k] = mt_layout_system(layouts[k], script, language);
+    return made;
+}
+
+static void add_those_of(const mt_layout *const *layouts, int font_count, int font, mt_systems *systems) {
+    const mt_layout *layout = layouts[font];
     int count = systems->count;
-    for (int i = 0; i < b->system_count; i++) {
-        const mt_system *system = &b->systems[i];
-        int in_a = mt_layout_system(a, system->script, system->language);
-        if (in_a >= 0 && kern_alike(b, i, systems->list[in_a].b)) continue;
+    for (int i = 0; i < layout->system_count; i++) {
+        const mt_system *system = &layout->systems[i];
+        int stands_in = mt_layout_system(layouts[0], system->script, system->language);
+        if (stands_in >= 0 && kern_alike(layout, i, systems->list[stands_in].own[font])) continue;
         if (is_listed(systems, system->script, system->language)) continue;
-        systems->list[count++] = (mt_shared_system){system->script, system->language, in_a, i};
+        systems->list[count] = shared_system(layouts, font_count, system->script, system->language);
+        systems->list[count++].own[font] = i;
     }
     systems->count = count;
 }
 
-static void add_plain_ones(mt_systems *systems) {
-    static const uint32_t scripts[] = {MT_TAG('D', 'F', 'L', 'T'), MT_TAG('c', 'y', 'r', 'l'),
-                                       MT_TAG('g', 'r', 'e', 'k'), MT_TAG('l', 'a', 't', 'n')};
-    for (int i = 0; i < 4; i++)
-        systems->list[i] = (mt_shared_system){scripts[i], MT_LANGUAGE_DEFAULT, -1, -1};
-    systems->count = 4;
+enum { PLAIN_COUNT = 4 };
+
+static void add_plain_ones(int font_count, mt_systems *systems) {
+    static const uint32_t scripts[PLAIN_COUNT] = {MT_TAG('D', 'F', 'L', 'T'), MT_TAG('c', 'y', 'r', 'l'),
+                                                  MT_TAG('g', 'r', 'e', 'k'), MT_TAG('l', 'a', 't', 'n')};
+    for (int i = 0; i < PLAIN_COUNT; i++) {
+        systems->list[i] = (mt_shared_system){scripts[i], MT_LANGUAGE_DEFAULT, {0}};
+        for (int k = 0; k < font_count; k++) systems->list[i].own[k] = -1;
+    }
+    systems->count = PLAIN_COUNT;
 }
 
-mt_status mt_systems_make(const mt_layout *a, const mt_layout *b, mt_arena *arena, mt_systems *systems) {
-    size_t room = (size_t)a->system_count + (size_t)b->system_count + 4;
-    mt_systems made = {.count = a->system_count};
+mt_status mt_systems_make(const mt_layout *const *layouts, int font_count, mt_arena *arena,
+                          mt_systems *systems) {
+    size_t room = PLAIN_COUNT;
+    for (int k = 0; k < font_count; k++) room += (size_t)layouts[k]->system_count;
+    mt_systems made = {.count = layouts[0]->system_count};
     made.list = mt_arena_new(arena, room, sizeof *made.list);
     if (!made.list) return MT_NO_MEMORY;
-    for (int i = 0; i < a->system_count; i++) {
-        const mt_system *system = &a->systems[i];
-        made.list[i] = (mt_shared_system){system->script, system->language, i,
-                                          mt_layout_system(b, system->script, system->language)};
+    for (int i = 0; i < made.count; i++) {
+        const mt_system *system = &layouts[0]->systems[i];
+        made.list[i] = shared_system(layouts, font_count, system->script, system->language);
+        made.list[i].own[0] = i;
     }
-    add_those_of_b(a, b, &made);
-    if (made.count == 0) add_plain_ones(&made);
+    for (int k = 1; k < font_count; k++) add_those_of(layouts, font_count, k, &made);
+    if (made.count == 0) add_plain_ones(font_count, &made);
     *systems = made;
     return MT_OK;
 }
@@ -106,12 +123,12 @@ mt_status mt_systems_make(const mt_layout *a, const mt_layout *b, mt_arena *aren
 mt_status mt_systems_spread(const mt_systems *systems, mt_arena *arena, mt_made_lookup *lookup) {
     int count = lookup->member_count, all = 0, made = 0;
     for (int i = 0; i < count; i++)
-        for (int s = 0; s < systems->count; s++) all += systems->list[s].a == lookup->members[i].system;
+        for (int s = 0; s < systems->count; s++) all += systems->list[s].own[0] == lookup->members[i].system;
     mt_member *members = mt_arena_new(arena, (size_t)all + 1, sizeof *members);
     if (!members) return MT_NO_MEMORY;
     for (int i = 0; i < count; i++)
         for (int s = 0; s < systems->count; s++)
-            if (systems->list[s].a == lookup->members[i].system)
+            if (systems->list[s].own[0] == lookup->members[i].system)
                 members[made++] = (mt_member){s, lookup->members[i].feature};
     lookup->members = members;
     lookup->member_count = made;

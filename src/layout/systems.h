@@ -2,25 +2,29 @@
 #ifndef MT_SYSTEMS_H
 #define MT_SYSTEMS_H
 
+#include "font/var_store.h"
 #include "layout/made.h"
 
-/* What text of one script and language is set by: in the new font, and in each of the two. */
+/* What text of one script and language is set by: in the new font, and in each of its sources. */
 typedef struct mt_shared_system {
     uint32_t script, language;
-    int a, b; /* indices of the fonts' own systems; -1 where a font has none for such text */
+    int own[MT_STOPS_MAX]; /* indices of the fonts' own systems; -1 where a font has none for such text */
 } mt_shared_system;
 
-/* A's own systems come first, in A's order and number. */
+/* The first font's own systems come first, in its order and number. */
 typedef struct mt_systems {
     int count;
     mt_shared_system *list;
 } mt_systems;
 
-/* All systems of A's GPOS; then those of B's that A has not and whose pair adjustment is another than that of the
- * system that would stand for it; DFLT, latn, cyrl and grek where neither font has any. MT_NO_MEMORY. */
-mt_status mt_systems_make(const mt_layout *a, const mt_layout *b, mt_arena *arena, mt_systems *systems);
+/* All systems of the first font's GPOS; then those of each other that are not there yet and whose pair adjustment is
+ * another than that of the system that would stand for it; DFLT, latn, cyrl and grek where no font has any.
+ * MT_NO_MEMORY. */
+mt_status mt_systems_make(const mt_layout *const *layouts, int font_count, mt_arena *arena,
+                          mt_systems *systems);
 
-/* A lookup that belongs to systems of A's belongs to those of B's for which A's stand too. MT_NO_MEMORY. */
+/* A lookup that belongs to systems of the first font belongs to those of others for which these stand too.
+ * MT_NO_MEMORY. */
 mt_status mt_systems_spread(const mt_systems *systems, mt_arena *arena, mt_made_lookup *lookup);
 
 /* The lookups of a type in a system's features of a tag, ascending, each once, `room` at most; returns how many. None

@@ -22,10 +22,16 @@ mt_test_end mt_test_open_end(const char *path, const char *spec, float weight) {
     return end;
 }
 
+void mt_test_blend_prepare(mt_test_blend *blend) {
+    mt_font *fonts[] = {blend->ends[0].font, blend->ends[1].font};
+    mt_assert_ok(
+        mt_positions_prepare(fonts, &blend->charset, 2, blend->units, blend->arena, &blend->positions));
+}
+
 mt_test_blend mt_test_blend_of(mt_test_end a, mt_test_end b, mt_arena *arena) {
     mt_test_blend blend = {.arena = arena, .ends = {a, b}, .units = mt_recipe_units(a.font, b.font)};
     mt_assert_ok(mt_charset_make(a.font, b.font, &(mt_charset_request){0}, arena, &blend.charset));
-    mt_assert_ok(mt_positions_prepare(a.font, b.font, &blend.charset, blend.units, arena, &blend.positions));
+    mt_test_blend_prepare(&blend);
     return blend;
 }
 
@@ -56,7 +62,9 @@ static hb_font_t *font_at(const mt_test_blend *blend, double t, mt_bytes gpos) {
         advances[i] = (uint16_t)floor((1 - t) * a + t * b + 0.5);
         classes[i] = (uint16_t)hb_ot_layout_get_glyph_class(first, glyph.a);
     }
-    mt_bytes font = mt_test_layout_font(&blend->charset, blend->units, advances, classes, gpos, blend->arena);
+    mt_bytes gdef = mt_test_gdef(classes, count, blend->arena), none = {0};
+    mt_bytes font =
+        mt_test_layout_font(&blend->charset, blend->units, advances, gdef, gpos, none, blend->arena);
     return mt_shaping_font(font.bytes, font.length);
 }
 
@@ -123,7 +131,7 @@ void mt_test_compare(mt_test_place *place, const uint32_t *text, int length) {
 mt_bytes mt_test_one_lookup(uint32_t script, uint32_t feature, int type, const mt_bytes *subtables, int count,
                             mt_arena *arena) {
     mt_member member = {0, feature};
-    mt_shared_system system = {script, MT_LANGUAGE_DEFAULT, -1, -1};
+    mt_shared_system system = {script, MT_LANGUAGE_DEFAULT, {-1, -1}};
     mt_systems systems = {1, &system};
     mt_made_lookup lookup = {.type = type,
                              .mark_set = -1,

@@ -26,6 +26,8 @@ typedef struct mt_test_blend {
 
 /* Of all characters that both fonts have. */
 mt_test_blend mt_test_blend_of(mt_test_end a, mt_test_end b, mt_arena *arena);
+/* Its positions anew, when the charset was changed. */
+void mt_test_blend_prepare(mt_test_blend *blend);
 void mt_test_blend_close(mt_test_blend *blend); /* and both ends */
 
 /* A blend at one T: a font of blank glyphs, and what was found as it was compared with its ends. */

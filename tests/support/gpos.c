@@ -11,7 +11,7 @@ static mt_bytes kept(mt_table *table, mt_arena *arena) {
     return bytes;
 }
 
-static mt_bytes write_gdef(const uint16_t *classes, int count, mt_arena *arena) {
+mt_bytes mt_test_gdef(const uint16_t *classes, int count, mt_arena *arena) {
     mt_table table = {0};
     mt_glyph_class *glyphs = mt_arena_new(arena, (size_t)count, sizeof *glyphs);
     assert_non_null(glyphs);
@@ -23,8 +23,12 @@ static mt_bytes write_gdef(const uint16_t *classes, int count, mt_arena *arena) 
     return kept(&table, arena);
 }
 
-mt_bytes mt_test_layout_font(const mt_charset *charset, int units, const uint16_t *advances,
-                             const uint16_t *classes, mt_bytes gpos, mt_arena *arena) {
+static void add_extra(mt_font_data *data, uint32_t tag, mt_bytes table) {
+    if (table.length) data->extras[data->extra_count++] = (mt_extra_table){tag, table};
+}
+
+mt_bytes mt_test_layout_font(const mt_charset *charset, int units, const uint16_t *advances, mt_bytes gdef,
+                             mt_bytes gpos, mt_bytes fvar, mt_arena *arena) {
     mt_font_data data = {
         .units = units,
         .glyph_count = charset->glyph_count,
@@ -38,9 +42,9 @@ mt_bytes mt_test_layout_font(const mt_charset *charset, int units, const uint16_
     data.glyphs = mt_arena_new(arena, (size_t)charset->glyph_count, sizeof *data.glyphs);
     assert_non_null(data.glyphs);
     for (int i = 0; i < charset->glyph_count; i++) data.glyphs[i].advance = advances[i];
-    data.extras[data.extra_count++] =
-        (mt_extra_table){MT_TAG('G', 'D', 'E', 'F'), write_gdef(classes, charset->glyph_count, arena)};
-    if (gpos.length) data.extras[data.extra_count++] = (mt_extra_table){MT_TAG('G', 'P', 'O', 'S'), gpos};
+    add_extra(&data, MT_TAG('G', 'D', 'E', 'F'), gdef);
+    add_extra(&data, MT_TAG('G', 'P', 'O', 'S'), gpos);
+    add_extra(&data, MT_TAG('f', 'v', 'a', 'r'), fvar);
     uint8_t *bytes;
     size_t length;
     mt_assert_ok(mt_font_write(&data, &bytes, &length));

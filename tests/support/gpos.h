@@ -5,9 +5,11 @@
 #include "font/charset.h"
 #include "layout/made.h"
 
-/* A font of blank glyphs for the characters of the charset, with this GPOS and with GDEF classes, one for
- * each glyph. */
-mt_bytes mt_test_layout_font(const mt_charset *charset, int units, const uint16_t *advances,
-                             const uint16_t *classes, mt_bytes gpos, mt_arena *arena);
+/* A GDEF table of nothing but classes, one for each glyph. */
+mt_bytes mt_test_gdef(const uint16_t *classes, int count, mt_arena *arena);
+
+/* A font of blank glyphs for the characters of the charset, with these tables; `fvar` is empty for a static font. */
+mt_bytes mt_test_layout_font(const mt_charset *charset, int units, const uint16_t *advances, mt_bytes gdef,
+                             mt_bytes gpos, mt_bytes fvar, mt_arena *arena);
 
 #endif

@@ -27,8 +27,27 @@ static int tear_down(void **state) {
     return 0;
 }
 
+static mt_anchor anchor_of(mt_anchor_point in_a, mt_anchor_point in_b) {
+    mt_anchor anchor = {mt_arena_new(&arena, 2, sizeof *anchor.in_fonts)};
+    assert_non_null(anchor.in_fonts);
+    anchor.in_fonts[0] = in_a;
+    anchor.in_fonts[1] = in_b;
+    return anchor;
+}
+
 static mt_anchor anchor_at(double x, double y) {
-    return (mt_anchor){{{x, y}, {x + 100, y - 60}}};
+    return anchor_of((mt_anchor_point){x, y}, (mt_anchor_point){x + 100, y - 60});
+}
+
+/* One place between two fonts. */
+static mt_places at(const double *t) {
+    return (mt_places){2, 1, t, NULL};
+}
+
+static mt_font_glyphs glyphs_of(const mt_charset *charset, mt_arena *of) {
+    mt_font_glyphs glyphs;
+    mt_assert_ok(mt_font_glyphs_make(charset, 2, of, &glyphs));
+    return glyphs;
 }
 
 static mt_anchored *new_anchored(int count) {
@@ -71,8 +90,9 @@ static mt_attachment many_marks_and_bases(void) {
 static void large_lookups_are_split(void **state) {
     (void)state;
     mt_attachment all = many_marks_and_bases();
+    mt_places half = at(&(double){0.5});
     mt_subtables subtables = {0};
-    mt_assert_ok(mt_attachment_write(&all, MT_MARK_TO_BASE, 0.5, &arena, &subtables));
+    mt_assert_ok(mt_attachment_write(&all, MT_MARK_TO_BASE, &half, &arena, &subtables));
     assert_true(subtables.count > 2);
     for (int i = 0; i < BASE_COUNT; i++) {
         mt_anchor_point mark, base;
@@ -96,6 +116,7 @@ static bool component_has(int ligature, int component) {
 static void ligatures_keep_their_components(void **state) {
     (void)state;
     mt_attachment all = {1, 0, new_anchored(1), new_anchored(4 * LIGATURE_COUNT)};
+    mt_places end = at(&(double){1});
     all.marks[0] = (mt_anchored){1, 0, 1, anchor_at(0, 0)};
     for (int i = 0; i < LIGATURE_COUNT; i++)
         for (int c = 0, components = 2 + i % 3; c < components; c++)
@@ -103,7 +124,7 @@ static void ligatures_keep_their_components(void **state) {
                 all.bases[all.base_count++] = (mt_anchored){(uint16_t)(10 + i), (uint16_t)c,
                                                             (uint16_t)components, anchor_at(i, 200 * c)};
     mt_subtables subtables = {0};
-    mt_assert_ok(mt_attachment_write(&all, MT_MARK_TO_LIGATURE, 1, &arena, &subtables));
+    mt_assert_ok(mt_attachment_write(&all, MT_MARK_TO_LIGATURE, &end, &arena, &subtables));
     assert_true(subtables.count > 1);
     for (int i = 0; i < LIGATURE_COUNT; i++)
         for (int c = 0; c < 5; c++) {
@@ -131,11 +152,12 @@ static void many_cursive_glyphs_still_join(void **state) {
     enum { COUNT = 6000 };
     mt_cursive cursive = {COUNT, mt_arena_new(&arena, COUNT, sizeof(mt_cursive_glyph))};
     assert_non_null(cursive.glyphs);
+    mt_places start = at(&(double){0});
     for (int i = 0; i < COUNT; i++)
         cursive.glyphs[i] = (mt_cursive_glyph){
             (uint16_t)(3 * i), {i % 5 != 0, i % 7 != 0}, {anchor_at(i, 0), anchor_at(-i, 500)}};
     mt_subtables subtables = {0};
-    mt_assert_ok(mt_cursive_write(&cursive, 0, &arena, &subtables));
+    mt_assert_ok(mt_cursive_write(&cursive, &start, &arena, &subtables));
     for (int i = 0; i < 20 * COUNT; i++) {
         int from = i % COUNT, to = (int)((int64_t)i * 7919 % COUNT);
         mt_anchor_point exit, entry;
@@ -177,15 +199,17 @@ static mt_small open_small(const char *name, const int16_t (*triangle)[2], const
 static const int16_t wide[][2] = {{0, 0}, {600, 0}, {300, 700}}, high[][2] = {{100, 0}, {400, 0}, {250, 900}};
 
 static mt_anchored fixed(int glyph, int component, int components, double x, double y) {
-    return (mt_anchored){(uint16_t)glyph, (uint16_t)component, (uint16_t)components, {{{x, y}, {x, y}}}};
+    return (mt_anchored){(uint16_t)glyph, (uint16_t)component, (uint16_t)components,
+                         anchor_of((mt_anchor_point){x, y}, (mt_anchor_point){x, y})};
 }
 
 static void add_lookup(mt_made_lookups *made, int type, const mt_attachment *attachment,
                        const mt_cursive *cursive) {
     static const mt_member member = {0, MT_TAG('m', 'a', 'r', 'k')};
+    mt_places start = at(&(double){0});
     mt_subtables subtables = {0};
-    if (attachment) mt_assert_ok(mt_attachment_write(attachment, type, 0, &arena, &subtables));
-    if (cursive) mt_assert_ok(mt_cursive_write(cursive, 0, &arena, &subtables));
+    if (attachment) mt_assert_ok(mt_attachment_write(attachment, type, &start, &arena, &subtables));
+    if (cursive) mt_assert_ok(mt_cursive_write(cursive, &start, &arena, &subtables));
     mt_made_lookup lookup = {.order = made->count,
                              .type = type,
                              .mark_set = -1,
@@ -199,16 +223,17 @@ static void add_lookup(mt_made_lookups *made, int type, const mt_attachment *att
 static mt_anchors blend_small(const mt_small *a, const mt_small *b, const mt_charset *charset) {
     mt_systems systems;
     mt_anchors anchors;
-    mt_anchor_source in_a = {a->font, &a->layout, &still}, in_b = {b->font, &b->layout, &still};
-    mt_assert_ok(mt_systems_make(&a->layout, &b->layout, &arena, &systems));
-    mt_assert_ok(mt_anchors_prepare(&in_a, &in_b, &systems, charset, 1000, &arena, &anchors));
+    mt_anchor_source sources[] = {{a->font, &a->layout, &still}, {b->font, &b->layout, &still}};
+    mt_font_glyphs glyphs = glyphs_of(charset, &arena);
+    mt_assert_ok(mt_systems_make((const mt_layout *[]){&a->layout, &b->layout}, 2, &arena, &systems));
+    mt_assert_ok(mt_anchors_prepare(sources, &systems, &glyphs, 1000, &arena, &anchors));
     mt_font_close(a->font);
     mt_font_close(b->font);
     return anchors;
 }
 
 static void assert_anchored(const mt_anchored *got, int glyph, double ax, double ay, double bx, double by) {
-    const mt_anchor_point *ends = got->at.ends;
+    const mt_anchor_point *ends = got->at.in_fonts;
     assert_int_equal(got->glyph, glyph);
     if (ends[0].x != ax || ends[0].y != ay || ends[1].x != bx || ends[1].y != by)
         fail_msg("(%g, %g) to (%g, %g)", ends[0].x, ends[0].y, ends[1].x, ends[1].y);
@@ -318,8 +343,8 @@ static void cursive_anchors_are_mixed_each(void **state) {
     assert_int_equal(anchors.lookups[0].cursive_count, 1);
     const mt_cursive_glyph *glyph = anchors.lookups[0].cursives[0].glyphs;
     assert_true(glyph->has[0] && glyph->has[1]);
-    assert_true(glyph->at[0].ends[1].x == 500 && glyph->at[0].ends[1].y == 10);
-    assert_true(glyph->at[1].ends[1].x == 100 && glyph->at[1].ends[1].y == 450);
+    assert_true(glyph->at[0].in_fonts[1].x == 500 && glyph->at[0].in_fonts[1].y == 10);
+    assert_true(glyph->at[1].in_fonts[1].x == 100 && glyph->at[1].in_fonts[1].y == 450);
 }
 
 /* ---- memory -------------------------------------------------------------------------------------------- */
@@ -340,12 +365,14 @@ static mt_status blend_without(long failing, const char *paths[2]) {
         mt_assert_ok(mt_font_table(fonts[i], MT_TAG('G', 'P', 'O', 'S'), &scratch, &gpos));
         mt_assert_ok(mt_layout_open(gpos, MT_EXTENSION_GPOS, &scratch, &layouts[i]));
     }
-    mt_assert_ok(mt_systems_make(&layouts[0], &layouts[1], &scratch, &systems));
-    mt_anchor_source in_a = {fonts[0], &layouts[0], &still}, in_b = {fonts[1], &layouts[1], &still};
+    mt_font_glyphs in_fonts = glyphs_of(&charset, &scratch);
+    mt_assert_ok(mt_systems_make((const mt_layout *[]){&layouts[0], &layouts[1]}, 2, &scratch, &systems));
+    mt_anchor_source sources[] = {{fonts[0], &layouts[0], &still}, {fonts[1], &layouts[1], &still}};
+    mt_places half = at(&(double){0.5});
     mt_arena kept = {0};
     mt_allocation_fail(failing, false);
-    mt_status status = mt_anchors_prepare(&in_a, &in_b, &systems, &charset, 1000, &kept, &anchors);
-    if (status == MT_OK) status = mt_anchors_write(&anchors, 0.5, &kept, &made);
+    mt_status status = mt_anchors_prepare(sources, &systems, &in_fonts, 1000, &kept, &anchors);
+    if (status == MT_OK) status = mt_anchors_write(&anchors, &half, &kept, &made);
     mt_allocation_succeed();
     for (int i = 0; i < 2; i++) mt_font_close(fonts[i]);
     mt_arena_release(&kept);
@@ -391,10 +418,12 @@ static void blend_tables(mt_font *font, const mt_charset *charset, mt_bytes one,
     mt_made_lookups made = {0};
     mt_assert_ok(mt_layout_open(one, MT_EXTENSION_GPOS, &scratch, &a));
     mt_assert_ok(mt_layout_open(other, MT_EXTENSION_GPOS, &scratch, &b));
-    mt_assert_ok(mt_systems_make(&a, &b, &scratch, &systems));
-    mt_anchor_source in_a = {font, &a, &still}, in_b = {font, &b, &still};
-    mt_assert_ok(mt_anchors_prepare(&in_a, &in_b, &systems, charset, 2048, &scratch, &anchors));
-    mt_assert_ok(mt_anchors_write(&anchors, 0.5, &scratch, &made));
+    mt_assert_ok(mt_systems_make((const mt_layout *[]){&a, &b}, 2, &scratch, &systems));
+    mt_anchor_source sources[] = {{font, &a, &still}, {font, &b, &still}};
+    mt_font_glyphs glyphs = glyphs_of(charset, &scratch);
+    mt_places half = at(&(double){0.5});
+    mt_assert_ok(mt_anchors_prepare(sources, &systems, &glyphs, 2048, &scratch, &anchors));
+    mt_assert_ok(mt_anchors_write(&anchors, &half, &scratch, &made));
     mt_arena_release(&scratch);
 }
 

@@ -60,7 +60,8 @@ static mt_pair prepare(mt_end a, mt_end b) {
     pair.a.scale = (double)pair.units / mt_font_units(a.font);
     pair.b.scale = (double)pair.units / mt_font_units(b.font);
     mt_assert_ok(mt_charset_make(a.font, b.font, &(mt_charset_request){0}, &arena, &pair.charset));
-    mt_assert_ok(mt_positions_prepare(a.font, b.font, &pair.charset, pair.units, &arena, &pair.positions));
+    mt_font *fonts[] = {a.font, b.font};
+    mt_assert_ok(mt_positions_prepare(fonts, &pair.charset, 2, pair.units, &arena, &pair.positions));
     return pair;
 }
 
@@ -86,7 +87,8 @@ static hb_font_t *font_at(const mt_pair *pair, double t) {
             (uint16_t)hb_ot_layout_get_glyph_class(hb_font_get_face(pair->a.shaping), (hb_codepoint_t)glyph);
     }
     mt_assert_ok(mt_positions_write(pair->positions, t, &arena, &gpos));
-    mt_bytes font = mt_test_layout_font(&pair->charset, pair->units, advances, classes, gpos, &arena);
+    mt_bytes gdef = mt_test_gdef(classes, count, &arena), none = {0};
+    mt_bytes font = mt_test_layout_font(&pair->charset, pair->units, advances, gdef, gpos, none, &arena);
     return mt_shaping_font(font.bytes, font.length);
 }
 

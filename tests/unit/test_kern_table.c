@@ -137,8 +137,7 @@ static void without_partner_a_kerns_alone(void **state) {
     mt_test_blend blend = mt_test_blend_of(blank_end("kern.ttf", 1000, 6, KERN, kern_table(false)),
                                            blank_end("none.ttf", 1000, 6, 0, none), &arena);
     blend.charset.glyphs[1].b = MT_NO_PARTNER;
-    mt_assert_ok(mt_positions_prepare(blend.ends[0].font, blend.ends[1].font, &blend.charset, blend.units,
-                                      &arena, &blend.positions));
+    mt_test_blend_prepare(&blend);
     mt_test_place place = {.blend = &blend, .t = 0.5};
     for (uint32_t l = 0; l < 6; l++)
         for (uint32_t r = 0; r < 6; r++) {

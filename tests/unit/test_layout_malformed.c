@@ -56,12 +56,14 @@ static void blend_with(uint32_t tag, mt_bytes table, mt_font *other) {
         mt_arena scratch = {0};
         mt_charset charset;
         mt_positions *positions;
-        mt_bytes gpos;
+        mt_bytes gpos, gdef, none = {0};
         mt_kerning kerning;
         mt_font *a = k ? other : font, *b = k ? font : other;
         mt_assert_ok(mt_charset_make(a, b, &(mt_charset_request){0}, &scratch, &charset));
-        mt_assert_ok(mt_positions_prepare(a, b, &charset, 1000, &scratch, &positions));
+        mt_assert_ok(mt_positions_prepare((mt_font *[]){a, b}, &charset, 2, 1000, &scratch, &positions));
         mt_status status = mt_positions_write(positions, 0.5, &scratch, &gpos);
+        assert_true(status == MT_OK || status == MT_TOO_LARGE);
+        status = mt_positions_write_varying(positions, none, &scratch, &gpos, &gdef);
         assert_true(status == MT_OK || status == MT_TOO_LARGE);
         mt_assert_ok(mt_positions_kerning(positions, 0.5, &scratch, &kerning));
         mt_arena_release(&scratch);
@@ -164,8 +166,8 @@ static void costs_are_bounded(void **state) {
     mt_bytes subtables[SUBTABLES], gpos, none = {0};
     mt_made_lookups made = {0};
     for (int i = 0; i < LANGUAGES; i++)
-        list[i] = (mt_shared_system){MT_TAG('l', 'a', 't', 'n'),
-                                     i ? MT_TAG('A', 'A', 'A', 'A') + (uint32_t)i : 0, 0, 0};
+        list[i] = (mt_shared_system){
+            MT_TAG('l', 'a', 't', 'n'), i ? MT_TAG('A', 'A', 'A', 'A') + (uint32_t)i : 0, {0}};
     for (int i = 0; i < SUBTABLES; i++) subtables[i] = all_pairs();
     for (int i = 0; i < LOOKUPS; i++) {
         mt_member *members = mt_arena_new(&arena, LANGUAGES, sizeof *members);

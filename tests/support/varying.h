@@ -1,0 +1,19 @@
+/* Fonts that vary along one axis, put together by the tests. */
+#ifndef MT_TEST_VARYING_H
+#define MT_TEST_VARYING_H
+
+#include <hb.h>
+
+#include "font/font.h"
+#include "geometry/memory.h"
+
+/* An 'fvar' of the one axis MRPH, 0 … 100, by default 0. */
+mt_bytes mt_test_fvar(mt_arena *arena);
+
+/* A 'gvar' of that axis by which no outline varies; FreeType wants one. */
+mt_bytes mt_test_gvar(int glyph_count, mt_arena *arena);
+
+/* Puts the font at a place of the axis, 0 … 1. */
+void mt_test_place_on_axis(hb_font_t *font, double place);
+
+#endif
