@@ -1,10 +1,10 @@
 /* For test_variable.py. Code points come on stdin, hexadecimal, and a line for each goes out.
  *
- *     variable-sample compare ENGINE VARIABLE MRPH FONT
+ *     variable-sample compare|apart ENGINE VARIABLE MRPH FONT
  *
  * The area of the intersection of a glyph in a variable font at a place of its axis and the glyph in another font, over that
- * of their union; by how many units of the other font the advance is longer in the first; how far, in 1/1000 em, the border of the
- * one is from that of the other at most. ENGINE is what puts the variable font to that place: freetype, by design
+ * of their union; by how many units of the other font the advance is longer in the first; with apart, how far, in 1/1000 em, the border
+ * of the one is from that of the other at most. ENGINE is what puts the variable font to that place: freetype, by design
  * coordinates; harfbuzz, whose points are rounded to the variable font's units, as they are in the other font; none, for a
  * font that is there already.
  *
@@ -195,7 +195,8 @@ static mt_shape read_font(mt_font *font, uint32_t code_point, mt_arena *arena, d
     return ink_of(&outline, arena);
 }
 
-static void compare(const char *engine, const char *path, const char *place, const char *other) {
+static void compare(bool tell_apart, const char *engine, const char *path, const char *place,
+                    const char *other) {
     static mt_reader reader;
     mt_arena arena = {0};
     bool by_hb = strcmp(engine, "harfbuzz") == 0, there = strcmp(engine, "none") == 0;
@@ -214,9 +215,10 @@ static void compare(const char *engine, const char *path, const char *place, con
             a = read_font(font, code_point, &arena, &advance);
         }
         mt_shape b = read_font(second, code_point, &arena, &in_second);
-        double apart = fmax(reach(&a, &b, &arena), reach(&b, &a, &arena));
-        printf("%x %.6f %.3f %.3f\n", code_point, shared_share(&a, &b, &arena),
-               (advance - in_second) * mt_font_units(second), apart * 1000 / MT_EM);
+        printf("%x %.6f %.3f", code_point, shared_share(&a, &b, &arena),
+               (advance - in_second) * mt_font_units(second));
+        if (tell_apart) printf(" %.3f", fmax(reach(&a, &b, &arena), reach(&b, &a, &arena)) * 1000 / MT_EM);
+        putchar('\n');
         mt_arena_reset(&arena);
     }
     mt_arena_release(&arena);
@@ -372,8 +374,9 @@ static void compare_pixels(const char *path, const char *place, int size, const 
 }
 
 int main(int argc, char **argv) {
-    if (argc == 6 && strcmp(argv[1], "compare") == 0)
-        compare(argv[2], argv[3], argv[4], argv[5]);
+    bool tell_apart = argc == 6 && strcmp(argv[1], "apart") == 0;
+    if (tell_apart || (argc == 6 && strcmp(argv[1], "compare") == 0))
+        compare(tell_apart, argv[2], argv[3], argv[4], argv[5]);
     else if ((argc == 5 || argc == 6) && strcmp(argv[1], "pixels") == 0)
         compare_pixels(argv[2], argv[3], atoi(argv[4]), argc == 6 ? argv[5] : NULL);
     else
