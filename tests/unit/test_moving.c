@@ -1,0 +1,141 @@
+#include "morph/moving.h"
+
+#include <math.h>
+
+#include "geometry/limits.h"
+#include "geometry/union.h"
+#include "support/check.h"
+#include "support/polygons.h"
+
+static mt_arena arena;
+
+static int tear_down(void **state) {
+    (void)state;
+    mt_arena_release(&arena);
+    return 0;
+}
+
+static void check_compatible(const mt_moving *moving) {
+    for (int i = 0; i < moving->count; i++) {
+        const mt_masters *m = &moving->contours[i];
+        assert_int_equal(m->a.count, m->b.count);
+        for (int k = 0; k < m->a.count; k++) {
+            assert_int_equal(m->a.segments[k].degree, m->b.segments[k].degree);
+            assert_in_range(m->a.segments[k].degree, 1, 2);
+        }
+    }
+}
+
+static mt_shape ink_at(const mt_morph *morph, const mt_moving *moving, double t, const mt_params *params) {
+    mt_outline outline;
+    mt_shape ink;
+    bool clean;
+    mt_assert_ok(mt_moving_at(morph, moving, mt_weights_at(t), &arena, &outline));
+    mt_assert_ok(mt_outline_resolve(&outline, mt_grid_units(params->tolerance) / 4, &arena, &ink, &clean));
+    return ink;
+}
+
+/* Of the ink of both, how much is in one of them only, over all. */
+static double difference(const mt_shape *a, const mt_shape *b) {
+    mt_rings in_a = mt_test_all_rings(&arena, a), in_b = mt_test_all_rings(&arena, b);
+    mt_rings all = mt_test_rings(&arena, in_a.count + in_b.count);
+    mt_shape both;
+    for (int i = 0; i < in_a.count; i++) all.rings[i] = in_a.rings[i];
+    for (int i = 0; i < in_b.count; i++) all.rings[in_a.count + i] = in_b.rings[i];
+    mt_assert_ok(mt_union(&all, &arena, &both));
+    double whole = (double)mt_shape_area2(&both);
+    return whole > 0 ? (2 * whole - (double)mt_shape_area2(a) - (double)mt_shape_area2(b)) / whole : 0;
+}
+
+/* The contours that move cover what the blend covers, at any place, by either method. */
+static void moving_contours_are_the_blend(void **state) {
+    (void)state;
+    static const double places[] = {0, 0.2, 0.5, 0.9, 1};
+    for (int n = 0; n < mt_test_cases(60); n++) {
+        mt_random random = mt_random_case(n);
+        mt_params params = mt_params_default();
+        params.method = n % 2 ? MT_METHOD_PAPER : MT_METHOD_JOINT;
+        mt_shape a = mt_random_shape(&random, &arena, 2, 12, MT_EM / 2);
+        mt_shape b = mt_random_shape(&random, &arena, 2, 12, MT_EM / 2);
+        mt_morph morph;
+        mt_moving moving;
+        mt_assert_ok(mt_morph_prepare(&a, &b, NULL, &params, &arena, &morph));
+        mt_assert_ok(mt_moving_make(&morph, &params, &arena, &moving));
+        check_compatible(&moving);
+        for (int i = 0; i < 5; i++) {
+            mt_shape blend, ink = ink_at(&morph, &moving, places[i], &params);
+            mt_assert_ok(mt_morph_blend(&morph, mt_weights_at(places[i]), &params, &arena, &blend));
+            assert_true(difference(&ink, &blend) < 0.03);
+        }
+        mt_arena_reset(&arena);
+    }
+}
+
+/* Two squares that were one: where both meet at T = 0 there is no gap, and ink on both sides of where the cut was. */
+static void contours_lie_over_one_another_at_a_cut(void **state) {
+    (void)state;
+    const int one[4][2] = {{0, 0}, {600, 0}, {600, 300}, {0, 300}};
+    const int left[4][2] = {{-200, 0}, {100, 0}, {100, 300}, {-200, 300}};
+    const int right[4][2] = {{500, 0}, {800, 0}, {800, 300}, {500, 300}};
+    mt_params params = mt_params_default();
+    mt_ring rings[] = {mt_test_ring_of(&arena, one, 4, 256), mt_test_ring_of(&arena, left, 4, 256),
+                       mt_test_ring_of(&arena, right, 4, 256)};
+    mt_component parts[] = {{1, &rings[0]}, {1, &rings[1]}, {1, &rings[2]}};
+    mt_shape a = {1, &parts[0]}, b = {2, &parts[1]};
+    mt_morph morph;
+    mt_moving moving;
+    mt_assert_ok(mt_morph_prepare(&a, &b, NULL, &params, &arena, &morph));
+    mt_assert_ok(mt_moving_make(&morph, &params, &arena, &moving));
+    assert_true(moving.count > 1);
+    mt_outline outline;
+    mt_rings drawn;
+    mt_shape ink;
+    mt_assert_ok(mt_moving_at(&morph, &moving, mt_weights_at(0), &arena, &outline));
+    mt_assert_ok(mt_flatten(&outline, 64, &arena, &drawn));
+    mt_assert_ok(mt_union(&drawn, &arena, &ink));
+    int64_t covered = 0;
+    for (int i = 0; i < drawn.count; i++) covered += mt_ring_area2(&drawn.rings[i]);
+    assert_int_equal(ink.count, 1);
+    assert_true(covered > mt_shape_area2(&ink)); /* some of it twice */
+    assert_true(difference(&ink, &a) < 1e-9);    /* and no more than there was */
+}
+
+static void steps_follow_the_arc(void **state) {
+    (void)state;
+    const int square[4][2] = {{-400, -400}, {400, -400}, {400, 400}, {-400, 400}};
+    mt_params params = mt_params_default();
+    params.rotation = MT_ROTATION_GIVEN;
+    params.degrees = 90;
+    mt_ring ring = mt_test_ring_of(&arena, square, 4, 256);
+    mt_component part = {1, &ring};
+    mt_shape shape = {1, &part};
+    mt_morph morph;
+    mt_moving moving;
+    mt_assert_ok(mt_morph_prepare(&shape, &shape, NULL, &params, &arena, &morph));
+    mt_assert_ok(mt_moving_make(&morph, &params, &arena, &moving));
+    double bound = mt_grid_units(1);
+    int steps = mt_moving_steps(&morph, &moving, bound);
+    assert_in_range(steps, 2, MT_TURN_STEPS_MAX - 1);
+    mt_outline from, to, half;
+    mt_assert_ok(mt_moving_at(&morph, &moving, mt_weights_at(0), &arena, &from));
+    mt_assert_ok(mt_moving_at(&morph, &moving, mt_weights_at(1.0 / steps), &arena, &to));
+    mt_assert_ok(mt_moving_at(&morph, &moving, mt_weights_at(0.5 / steps), &arena, &half));
+    for (int k = 0; k < from.contours[0].count; k++) {
+        mt_point p = from.contours[0].segments[k].end, q = to.contours[0].segments[k].end,
+                 m = half.contours[0].segments[k].end;
+        assert_true(hypot((p.x + q.x) / 2.0 - m.x, (p.y + q.y) / 2.0 - m.y) <= bound + 2);
+    }
+    params.degrees = 0;
+    params.rotation = MT_ROTATION_NONE;
+    mt_assert_ok(mt_morph_prepare(&shape, &shape, NULL, &params, &arena, &morph));
+    assert_int_equal(mt_moving_steps(&morph, &moving, bound), 1);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(moving_contours_are_the_blend),
+        cmocka_unit_test(contours_lie_over_one_another_at_a_cut),
+        cmocka_unit_test(steps_follow_the_arc),
+    };
+    return cmocka_run_group_tests(tests, NULL, tear_down);
+}
