@@ -115,6 +115,29 @@ static void points_are_where_they_were_told_to_be(void **state) {
     }
 }
 
+/* Contours of which only the first and the last move: their points' numbers are far apart. */
+static void points_far_apart_are_told(void **state) {
+    (void)state;
+    enum { CONTOURS = 300, POINTS = 3 * CONTOURS };
+    static const mt_named_place named[] = {{0, "First"}, {100, "Last"}};
+    static const int end[] = {MT_PLACE_ONE};
+    mt_random random = mt_random_case(0);
+    mt_font_data data = mt_sample_font(&arena);
+    mt_glyf *glyph = &data.glyphs[1];
+    *glyph = large_glyph(&random, POINTS);
+    glyph->contour_count = CONTOURS;
+    glyph->ends = room(CONTOURS, sizeof(int));
+    for (int i = 0; i < CONTOURS; i++) glyph->ends[i] = 3 * i + 2;
+    mt_glyph_moves *moves = room((size_t)data.glyph_count, sizeof *moves);
+    mt_move *row = room(POINTS + MT_PHANTOM_POINTS, sizeof *row);
+    for (int i = 0; i < 3; i++) row[i] = row[POINTS - 1 - i] = (mt_move){(int16_t)(100 * i + 50), -20};
+    mt_move *rows[] = {row};
+    moves[1] = (mt_glyph_moves){1, end, rows};
+    mt_variation variation = {MT_AXIS_TAG, MT_AXIS_NAME, 0, MT_AXIS_END, 2, named, moves};
+    data.variation = &variation;
+    check_font(&data);
+}
+
 /* The flag stands at a glyph's first point alone. */
 static void overlaps_are_flagged(void **state) {
     (void)state;
@@ -136,6 +159,7 @@ static void overlaps_are_flagged(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_where_they_were_told_to_be),
+        cmocka_unit_test(points_far_apart_are_told),
         cmocka_unit_test(overlaps_are_flagged),
     };
     return cmocka_run_group_tests(tests, NULL, tear_down);
