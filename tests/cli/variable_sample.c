@@ -3,8 +3,10 @@
  *     variable-sample compare ENGINE VARIABLE MRPH FONT
  *
  * The area of the intersection of a glyph in a variable font at a place of its axis and the glyph in another font, over that
- * of their union, and by how many font units the advance is longer in the first. ENGINE is what puts the variable font to that
- * place: freetype, by design coordinates, or harfbuzz.
+ * of their union; by how many units of the other font the advance is longer in the first; how far, in 1/1000 em, the border of the
+ * one is from that of the other at most. ENGINE is what puts the variable font to that place: freetype, by design
+ * coordinates; harfbuzz, whose points are rounded to the variable font's units, as they are in the other font; none, for a
+ * font that is there already.
  *
  *     variable-sample pixels VARIABLE MRPH SIZE [FONT]
  *
@@ -35,6 +37,7 @@ enum { POINTS_MAX = 65536, CONTOURS_MAX = 8192 };
 
 typedef struct mt_reader {
     double scale; /* to the grid */
+    bool whole;   /* points are rounded before they are scaled */
     mt_outline outline;
     mt_contour contours[CONTOURS_MAX];
     mt_segment segments[POINTS_MAX];
@@ -43,6 +46,7 @@ typedef struct mt_reader {
 } mt_reader;
 
 static mt_point on_grid(const mt_reader *reader, double x, double y) {
+    if (reader->whole) x = floor(x + 0.5), y = floor(y + 0.5);
     return (mt_point){(int32_t)lround(x * reader->scale), (int32_t)lround(y * reader->scale)};
 }
 
@@ -114,6 +118,7 @@ static double read_hb(hb_font_t *font, uint32_t code_point, mt_reader *reader) {
     hb_draw_funcs_set_close_path_func(funcs, hb_close, NULL, NULL);
     assert_true(hb_font_get_nominal_glyph(font, code_point, &glyph));
     reader->scale = MT_EM / units;
+    reader->whole = true;
     hb_font_get_glyph_shape(font, glyph, funcs, reader);
     hb_draw_funcs_destroy(funcs);
     return hb_font_get_glyph_h_advance(font, glyph) / units;
@@ -143,6 +148,32 @@ static double shared_share(const mt_shape *a, const mt_shape *b, mt_arena *arena
     return ((double)mt_shape_area2(a) + (double)mt_shape_area2(b) - union_area) / union_area;
 }
 
+static double distance_to_edge(mt_point p, mt_point a, mt_point b) {
+    double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
+    double u = length2 > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / length2 : 0;
+    u = fmin(1, fmax(0, u));
+    return hypot(p.x - a.x - u * dx, p.y - a.y - u * dy);
+}
+
+/* How far a corner of the one border is from the other at most, grid units. */
+static double reach(const mt_shape *from, const mt_shape *to, mt_arena *arena) {
+    mt_rings corners, edges;
+    double most = 0;
+    mt_assert_ok(mt_shape_rings(from, arena, &corners));
+    mt_assert_ok(mt_shape_rings(to, arena, &edges));
+    for (int i = 0; i < corners.count; i++)
+        for (int k = 0; k < corners.rings[i].count; k++) {
+            double least = INFINITY;
+            for (int r = 0; r < edges.count; r++)
+                for (int e = 0; e < edges.rings[r].count; e++)
+                    least =
+                        fmin(least, distance_to_edge(corners.rings[i].points[k], edges.rings[r].points[e],
+                                                     edges.rings[r].points[(e + 1) % edges.rings[r].count]));
+            most = fmax(most, least);
+        }
+    return most;
+}
+
 static mt_font *open_font(const char *spec) {
     mt_font *font;
     mt_assert_ok(mt_font_open(spec, &font));
@@ -167,9 +198,10 @@ static mt_shape read_font(mt_font *font, uint32_t code_point, mt_arena *arena, d
 static void compare(const char *engine, const char *path, const char *place, const char *other) {
     static mt_reader reader;
     mt_arena arena = {0};
-    bool by_hb = strcmp(engine, "harfbuzz") == 0;
+    bool by_hb = strcmp(engine, "harfbuzz") == 0, there = strcmp(engine, "none") == 0;
     hb_font_t *hb = by_hb ? open_hb(path, atof(place)) : NULL;
-    mt_font *font = by_hb ? NULL : open_at(path, place), *second = open_font(other);
+    mt_font *font = by_hb ? NULL : there ? open_font(path) : open_at(path, place);
+    mt_font *second = open_font(other);
     unsigned code_point;
     while (scanf("%x", &code_point) == 1) {
         double advance, in_second;
@@ -182,8 +214,9 @@ static void compare(const char *engine, const char *path, const char *place, con
             a = read_font(font, code_point, &arena, &advance);
         }
         mt_shape b = read_font(second, code_point, &arena, &in_second);
-        printf("%x %.6f %.3f\n", code_point, shared_share(&a, &b, &arena),
-               (advance - in_second) * mt_font_units(second));
+        double apart = fmax(reach(&a, &b, &arena), reach(&b, &a, &arena));
+        printf("%x %.6f %.3f %.3f\n", code_point, shared_share(&a, &b, &arena),
+               (advance - in_second) * mt_font_units(second), apart * 1000 / MT_EM);
         mt_arena_reset(&arena);
     }
     mt_arena_release(&arena);
