@@ -12,6 +12,11 @@ class Info(ctypes.Structure):
                 ('private', ctypes.c_uint32 * 2)]
 
 
+class Variation(ctypes.Structure):
+    """hb_variation_t"""
+    _fields_ = [('axis', ctypes.c_uint32), ('value', ctypes.c_float)]
+
+
 class Position(ctypes.Structure):
     """hb_glyph_position_t"""
     _fields_ = [('x_advance', ctypes.c_int32), ('y_advance', ctypes.c_int32), ('x_offset', ctypes.c_int32),
@@ -37,22 +42,53 @@ buffer_add = function('hb_buffer_add_utf8', None, POINTER, ctypes.c_char_p, ctyp
 buffer_guess = function('hb_buffer_guess_segment_properties', None, POINTER)
 buffer_infos = function('hb_buffer_get_glyph_infos', ctypes.POINTER(Info), POINTER, LENGTH)
 buffer_positions = function('hb_buffer_get_glyph_positions', ctypes.POINTER(Position), POINTER, LENGTH)
+set_variations = function('hb_font_set_variations', None, POINTER, ctypes.POINTER(Variation), ctypes.c_uint)
+vertical_origin = function('hb_font_get_glyph_v_origin', ctypes.c_int, POINTER, ctypes.c_uint32,
+                           ctypes.POINTER(ctypes.c_int32), ctypes.POINTER(ctypes.c_int32))
+vertical_advance = function('hb_font_get_glyph_v_advance', ctypes.c_int32, POINTER, ctypes.c_uint32)
 shape_buffer = function('hb_shape', None, POINTER, POINTER, POINTER, ctypes.c_uint)
 
 
+class Font:
+    """A font file, at a place of its axis MRPH where one is given."""
+
+    def __init__(self, path, place=None):
+        blob = blob_create(os.fsencode(path))
+        face = face_create(blob, 0)
+        self.font = font_create(face)
+        face_destroy(face)
+        blob_destroy(blob)
+        if place is not None:
+            axis = int.from_bytes(b'MRPH', 'big')
+            set_variations(self.font, ctypes.byref(Variation(axis, place)), 1)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        font_destroy(self.font)
+
+    def shape(self, text):
+        """The glyphs of a line of text, left to right, as (number, advance, x offset, y offset) in font units."""
+        line = buffer_create()
+        buffer_add(line, text.encode(), -1, 0, -1)
+        buffer_guess(line)
+        shape_buffer(self.font, line, None, 0)
+        count = ctypes.c_uint()
+        infos, positions = buffer_infos(line, ctypes.byref(count)), buffer_positions(line, ctypes.byref(count))
+        shaped = [(infos[i].glyph, positions[i].x_advance, positions[i].x_offset, positions[i].y_offset)
+                  for i in range(count.value)]
+        buffer_destroy(line)
+        return shaped
+
+    def vertical(self, glyph):
+        """How far down the next glyph is, and how high over the baseline this one hangs."""
+        x, y = ctypes.c_int32(), ctypes.c_int32()
+        vertical_origin(self.font, glyph, ctypes.byref(x), ctypes.byref(y))
+        return -vertical_advance(self.font, glyph), y.value
+
+
 def shape(path, text):
-    """The glyphs of a line of text, left to right, as (number, advance, x offset, y offset) in font units."""
-    blob = blob_create(os.fsencode(path))
-    face = face_create(blob, 0)
-    font = font_create(face)
-    line = buffer_create()
-    buffer_add(line, text.encode(), -1, 0, -1)
-    buffer_guess(line)
-    shape_buffer(font, line, None, 0)
-    count = ctypes.c_uint()
-    infos, positions = buffer_infos(line, ctypes.byref(count)), buffer_positions(line, ctypes.byref(count))
-    shaped = [(infos[i].glyph, positions[i].x_advance, positions[i].x_offset, positions[i].y_offset)
-              for i in range(count.value)]
-    for destroy, what in ((buffer_destroy, line), (font_destroy, font), (face_destroy, face), (blob_destroy, blob)):
-        destroy(what)
-    return shaped
+    """As Font.shape."""
+    with Font(path) as font:
+        return font.shape(text)

@@ -5,12 +5,14 @@
 
 #include "font/recipe.h"
 #include "font/sfnt.h"
+#include "font/varying.h"
 #include "layout/gpos.h"
 #include "support/check.h"
 #include "support/fonts.h"
 #include "support/gpos.h"
 #include "support/sample.h"
 #include "support/shaping.h"
+#include "support/varying.h"
 
 /* ---- blends -------------------------------------------------------------------------------------------- */
 
@@ -49,33 +51,71 @@ static double scale_of(const mt_test_blend *blend, int s) {
     return (double)blend->units / x;
 }
 
-static hb_font_t *font_at(const mt_test_blend *blend, double t, mt_bytes gpos) {
+/* The glyphs' advances at t, in the order of the charset. */
+static uint16_t *advances_at(const mt_test_blend *blend, double t) {
     int count = blend->charset.glyph_count;
     uint16_t *advances = mt_arena_new(blend->arena, (size_t)count, sizeof *advances);
-    uint16_t *classes = mt_arena_new(blend->arena, (size_t)count, sizeof *classes);
-    hb_face_t *first = hb_font_get_face(blend->ends[0].shaping);
-    assert_true(advances && classes);
+    assert_non_null(advances);
     for (int i = 0; i < count; i++) {
         mt_pairing glyph = blend->charset.glyphs[i];
         double a = scale_of(blend, 0) * hb_font_get_glyph_h_advance(blend->ends[0].shaping, glyph.a);
         double b = scale_of(blend, 1) * hb_font_get_glyph_h_advance(blend->ends[1].shaping, glyph.b);
         advances[i] = (uint16_t)floor((1 - t) * a + t * b + 0.5);
-        classes[i] = (uint16_t)hb_ot_layout_get_glyph_class(first, glyph.a);
     }
-    mt_bytes gdef = mt_test_gdef(classes, count, blend->arena), none = {0};
-    mt_bytes font =
-        mt_test_layout_font(&blend->charset, blend->units, advances, gdef, gpos, none, blend->arena);
-    return mt_shaping_font(font.bytes, font.length);
+    return advances;
+}
+
+/* GDEF with the first font's classes. */
+static mt_bytes gdef_of(const mt_test_blend *blend) {
+    int count = blend->charset.glyph_count;
+    uint16_t *classes = mt_arena_new(blend->arena, (size_t)count, sizeof *classes);
+    hb_face_t *first = hb_font_get_face(blend->ends[0].shaping);
+    assert_non_null(classes);
+    for (int i = 0; i < count; i++)
+        classes[i] = (uint16_t)hb_ot_layout_get_glyph_class(first, blend->charset.glyphs[i].a);
+    return mt_test_gdef(classes, count, blend->arena);
+}
+
+static mt_test_place place_of(const mt_test_blend *blend, double t, mt_bytes font, size_t gpos_length) {
+    return (mt_test_place){.blend = blend,
+                           .t = t,
+                           .font = mt_shaping_font(font.bytes, font.length),
+                           .buffer = hb_buffer_create(),
+                           .gpos_length = gpos_length};
 }
 
 mt_test_place mt_test_place_at(const mt_test_blend *blend, double t) {
     mt_bytes gpos;
     mt_assert_ok(mt_positions_write(blend->positions, t, blend->arena, &gpos));
-    return (mt_test_place){.blend = blend,
-                           .t = t,
-                           .font = font_at(blend, t, gpos),
-                           .buffer = hb_buffer_create(),
-                           .gpos_length = gpos.length};
+    mt_bytes font = mt_test_layout_font(&blend->charset, blend->units, advances_at(blend, t), gdef_of(blend),
+                                        gpos, (mt_test_varying){0}, blend->arena);
+    return place_of(blend, t, font, gpos.length);
+}
+
+/* HVAR of both ends' advances. */
+static mt_bytes hvar_of(const mt_test_blend *blend) {
+    int count = blend->charset.glyph_count;
+    mt_glyf *ends[2];
+    mt_bytes hvar;
+    for (int s = 0; s < 2; s++) {
+        const uint16_t *advances = advances_at(blend, s);
+        ends[s] = mt_arena_new(blend->arena, (size_t)count, sizeof *ends[s]);
+        assert_non_null(ends[s]);
+        for (int i = 0; i < count; i++) ends[s][i].advance = advances[i];
+    }
+    mt_assert_ok(mt_hvar_write(ends, 2, count, blend->arena, &hvar));
+    return hvar;
+}
+
+mt_test_place mt_test_varying_place_at(const mt_test_blend *blend, double t) {
+    mt_bytes gpos, gdef;
+    mt_test_varying varying = {mt_test_fvar(blend->arena), hvar_of(blend)};
+    mt_assert_ok(mt_positions_write_varying(blend->positions, gdef_of(blend), blend->arena, &gpos, &gdef));
+    mt_bytes font = mt_test_layout_font(&blend->charset, blend->units, advances_at(blend, 0), gdef, gpos,
+                                        varying, blend->arena);
+    mt_test_place place = place_of(blend, t, font, gpos.length);
+    mt_test_place_on_axis(place.font, t);
+    return place;
 }
 
 void mt_test_place_close(mt_test_place *place) {

@@ -43,6 +43,8 @@ typedef struct mt_test_place {
 } mt_test_place;
 
 mt_test_place mt_test_place_at(const mt_test_blend *blend, double t);
+/* The same, but a varying font at that place of its axis. */
+mt_test_place mt_test_varying_place_at(const mt_test_blend *blend, double t);
 void mt_test_place_close(mt_test_place *place);
 
 /* Shapes the text in all three fonts; fails when the blend's width is off by more than a unit a glyph. */

@@ -28,7 +28,7 @@ static void add_extra(mt_font_data *data, uint32_t tag, mt_bytes table) {
 }
 
 mt_bytes mt_test_layout_font(const mt_charset *charset, int units, const uint16_t *advances, mt_bytes gdef,
-                             mt_bytes gpos, mt_bytes fvar, mt_arena *arena) {
+                             mt_bytes gpos, mt_test_varying varying, mt_arena *arena) {
     mt_font_data data = {
         .units = units,
         .glyph_count = charset->glyph_count,
@@ -44,7 +44,8 @@ mt_bytes mt_test_layout_font(const mt_charset *charset, int units, const uint16_
     for (int i = 0; i < charset->glyph_count; i++) data.glyphs[i].advance = advances[i];
     add_extra(&data, MT_TAG('G', 'D', 'E', 'F'), gdef);
     add_extra(&data, MT_TAG('G', 'P', 'O', 'S'), gpos);
-    add_extra(&data, MT_TAG('f', 'v', 'a', 'r'), fvar);
+    add_extra(&data, MT_TAG('f', 'v', 'a', 'r'), varying.fvar);
+    add_extra(&data, MT_TAG('H', 'V', 'A', 'R'), varying.hvar);
     uint8_t *bytes;
     size_t length;
     mt_assert_ok(mt_font_write(&data, &bytes, &length));

@@ -98,15 +98,19 @@ static void compare_random_pairs(mt_test_place *place, int count, int pairs) {
     }
 }
 
+static void check_place(mt_test_place place, int count, int pairs, int least_kerned) {
+    compare_random_pairs(&place, count, pairs);
+    print_message("t %g: %d of %d pairs kerned, at most %.3g units a glyph off; GPOS of %zu bytes\n", place.t,
+                  place.kerned, pairs, place.worst, place.gpos_length);
+    assert_true(place.kerned >= least_kerned);
+    mt_test_place_close(&place);
+}
+
 static void check(mt_test_end a, mt_test_end b, int count, int pairs, int least_kerned) {
     mt_test_blend blend = mt_test_blend_of(a, b, &arena);
     for (int i = 0; i <= 4; i++) {
-        mt_test_place place = mt_test_place_at(&blend, i / 4.0);
-        compare_random_pairs(&place, count, pairs);
-        print_message("t %g: %d of %d pairs kerned, at most %.3g units a glyph off; GPOS of %zu bytes\n",
-                      place.t, place.kerned, pairs, place.worst, place.gpos_length);
-        assert_true(place.kerned >= least_kerned);
-        mt_test_place_close(&place);
+        check_place(mt_test_place_at(&blend, i / 4.0), count, pairs, least_kerned);
+        check_place(mt_test_varying_place_at(&blend, i / 4.0), count, pairs, least_kerned);
     }
     mt_test_blend_close(&blend);
 }

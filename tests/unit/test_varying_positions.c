@@ -94,11 +94,12 @@ static void close_axis(mt_axis *axis) {
     for (int k = 0; k < axis->count; k++) mt_font_close(axis->fonts[k]);
 }
 
-static hb_font_t *font_of(const mt_axis *axis, mt_bytes gpos, mt_bytes gdef, mt_bytes fvar) {
+static hb_font_t *font_of(const mt_axis *axis, mt_bytes gpos, mt_bytes gdef, mt_test_varying varying) {
     int count = axis->charsets[0].glyph_count;
     uint16_t *advances = mt_arena_new(&arena, (size_t)count, sizeof *advances);
     for (int i = 0; i < count; i++) advances[i] = ADVANCE;
-    mt_bytes font = mt_test_layout_font(&axis->charsets[0], axis->units, advances, gdef, gpos, fvar, &arena);
+    mt_bytes font =
+        mt_test_layout_font(&axis->charsets[0], axis->units, advances, gdef, gpos, varying, &arena);
     return mt_shaping_font(font.bytes, font.length);
 }
 
@@ -106,15 +107,15 @@ static hb_font_t *varying_font(const mt_axis *axis, size_t *size) {
     mt_bytes gpos, gdef;
     mt_assert_ok(mt_positions_write_varying(axis->positions, axis->gdef, &arena, &gpos, &gdef));
     *size = gpos.length + gdef.length - axis->gdef.length;
-    return font_of(axis, gpos, gdef, mt_test_fvar(&arena));
+    return font_of(axis, gpos, gdef, (mt_test_varying){.fvar = mt_test_fvar(&arena)});
 }
 
 /* The font at a place, 0 … 1 from the first font to the last. */
 static hb_font_t *static_font(const mt_axis *axis, double place, size_t *size) {
-    mt_bytes gpos, none = {0};
+    mt_bytes gpos;
     mt_assert_ok(mt_positions_write(axis->positions, place * (axis->count - 1), &arena, &gpos));
     *size = gpos.length;
-    return font_of(axis, gpos, axis->gdef, none);
+    return font_of(axis, gpos, axis->gdef, (mt_test_varying){0});
 }
 
 /* ---- comparing ----------------------------------------------------------------------------------------- */
