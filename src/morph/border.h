@@ -19,6 +19,7 @@ typedef struct mt_border {
     int component_count;
     mt_mesh *meshes; /* of each component, its long edges divided */
     bool **drawn;    /* of each component's mesh, the vertices that its rings had before */
+    mt_box *boxes;   /* of each component */
     int *first_stop; /* component_count + 1: vertex v of mesh c is stop first_stop[c] + v */
     int ring_count;
     int *first_of_ring; /* ring_count + 1 */
