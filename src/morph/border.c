@@ -162,25 +162,25 @@ static void list_leaps(mt_border *b, int c, int d, int *next) {
     }
 }
 
-static void list_all(mt_border *border, double reach, int *next) {
+static void list_all(mt_border *border, double reach, bool leaps, int *next) {
     for (int c = 0; c < border->component_count; c++) {
         list_bridges(border, c, reach, next);
-        for (int d = 0; d < c; d++) list_leaps(border, c, d, next);
+        for (int d = 0; leaps && d < c; d++) list_leaps(border, c, d, next);
     }
 }
 
-static mt_status add_bridges(mt_border *border, double reach, mt_arena *arena) {
+static mt_status add_bridges(mt_border *border, double reach, bool leaps, mt_arena *arena) {
     int *next = mt_arena_new(arena, (size_t)border->count + 1, sizeof *next);
     border->first_bridge = mt_arena_new(arena, (size_t)border->count + 1, sizeof(int));
     if (!next || !border->first_bridge) return MT_NO_MEMORY;
-    list_all(border, reach, next);
+    list_all(border, reach, leaps, next);
     for (int i = 0; i < border->count; i++) {
         border->first_bridge[i + 1] = border->first_bridge[i] + next[i];
         next[i] = border->first_bridge[i];
     }
     border->bridges = mt_arena_new(arena, (size_t)border->first_bridge[border->count] + 1, sizeof(mt_bridge));
     if (!border->bridges) return MT_NO_MEMORY;
-    list_all(border, reach, next);
+    list_all(border, reach, leaps, next);
     return MT_OK;
 }
 
@@ -249,13 +249,14 @@ static mt_status start_border(const mt_shape *shape, double step, mt_arena *aren
                                                                                              : MT_NO_MEMORY;
 }
 
-mt_status mt_border_of(const mt_shape *shape, mt_box box, double chord, double step, double reach,
+mt_status mt_border_of(const mt_shape *shape, mt_box box, const mt_manner *manner, double reach,
                        mt_arena *arena, mt_border *border) {
     mt_border made = {.box = box};
+    double step = mt_grid_units(manner->step);
     mt_status status = start_border(shape, step, arena, &made);
     for (int c = 0; status == MT_OK && c < shape->count; c++)
-        status = add_component(&shape->components[c], c, chord, step, arena, &made);
-    if (status == MT_OK) status = add_bridges(&made, reach, arena);
+        status = add_component(&shape->components[c], c, manner->chord, step, arena, &made);
+    if (status == MT_OK) status = add_bridges(&made, reach, manner->leaps, arena);
     if (status == MT_OK) *border = made;
     return status;
 }

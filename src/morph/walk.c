@@ -4,9 +4,6 @@
 
 #include "geometry/limits.h"
 
-/* A walker minds the distance more than one who only aligns (align.c), since it has the choice of all rings. */
-static const mt_tariff tariff = {.direction = 1, .distance = 4, .corner = 0};
-
 /* How far a walker looks around: the border's stops whose places, each relative to its glyph's box, are farther off than so many
  * boxes in x or in y are out of its reach. Where that leads nowhere it looks twice as far; 1 is all of the box. */
 #define SIGHT 0.2
@@ -30,6 +27,7 @@ enum { STRETCH_STOPS = 16 };
 
 typedef struct mt_walker {
     const mt_border *from, *to;
+    mt_tariff tariff;
     mt_columns columns;
     int first, n; /* the stops of the ring */
     int start;    /* the stop of the ring to start at */
@@ -70,11 +68,12 @@ static void look_later(mt_walker *w, int j) {
 /* As mt_price, for the stops of one stretch, column by column. */
 static void price_stretch(mt_walker *w, const mt_view *here, const mt_stretch *stretch) {
     const mt_columns *c = &w->columns;
+    const mt_tariff t = w->tariff;
     for (int j = stretch->first; j < stretch->end; j++) {
         double same = here->in_x * c->in_x[j] + here->in_y * c->in_y[j] + here->out_x * c->out_x[j] +
                       here->out_y * c->out_y[j];
         double dx = here->x - c->x[j], dy = here->y - c->y[j];
-        w->price[j] = (float)(tariff.direction * (2 - same) / 4 + tariff.distance * sqrt(dx * dx + dy * dy));
+        w->price[j] = (float)(t.direction * (2 - same) / 4 + t.distance * sqrt(dx * dx + dy * dy));
     }
 }
 
@@ -331,9 +330,10 @@ static mt_status fill_columns(mt_walker *w, mt_arena *arena) {
     return MT_OK;
 }
 
-static mt_status start_walker(const mt_border *from, int ring, const mt_border *to, mt_arena *arena,
-                              mt_walker *w) {
-    *w = (mt_walker){.from = from, .to = to, .first = from->first_of_ring[ring], .sight = SIGHT};
+static mt_status start_walker(const mt_border *from, int ring, const mt_border *to, const mt_tariff *tariff,
+                              mt_arena *arena, mt_walker *w) {
+    *w = (mt_walker){
+        .from = from, .to = to, .tariff = *tariff, .first = from->first_of_ring[ring], .sight = SIGHT};
     w->n = from->first_of_ring[ring + 1] - w->first;
     size_t m = (size_t)to->count, cells = ((size_t)w->n + 1) * m,
            bridges = (size_t)to->first_bridge[to->count];
@@ -363,7 +363,7 @@ static mt_pace surest(const mt_walker *w, const mt_pace *paces, int count) {
     mt_pace best = paces[0];
     double least = INFINITY;
     for (int k = 0; k < count; k++) {
-        double price = mt_price(&tariff, &w->from->views[paces[k].here], &w->to->views[paces[k].there]);
+        double price = mt_price(&w->tariff, &w->from->views[paces[k].here], &w->to->views[paces[k].there]);
         if (price >= least) continue;
         least = price;
         best = paces[k];
@@ -371,12 +371,13 @@ static mt_pace surest(const mt_walker *w, const mt_pace *paces, int count) {
     return best;
 }
 
-mt_status mt_walk_around(const mt_border *from, int ring, const mt_border *to, mt_arena *arena,
-                         mt_walk *walk) {
+mt_status mt_walk_around(const mt_border *from, int ring, const mt_border *to, const mt_tariff *tariff,
+                         mt_arena *arena, mt_walk *walk) {
     mt_walker w;
-    mt_status status = start_walker(from, ring, to, arena, &w);
+    mt_status status = start_walker(from, ring, to, tariff, arena, &w);
     if (status != MT_OK) return status;
-    int end = walk_lap(&w, -1), count = read_back(&w, end, NULL, 0); /* to learn where a closed one may start */
+    int end = walk_lap(&w, -1),
+        count = read_back(&w, end, NULL, 0); /* to learn where a closed one may start */
     mt_pace *paces = mt_arena_new(arena, (size_t)count, sizeof *paces);
     if (!paces) return MT_NO_MEMORY;
     read_back(&w, end, paces, count);

@@ -35,7 +35,8 @@ static mt_masters masters_of(const side *a, const side *b, double tolerance) {
     mt_alignment alignment;
     mt_masters masters;
     mt_assert_ok(mt_align(&a->stops, mt_ring_box(&a->rings.rings[0]), &b->stops,
-                          mt_ring_box(&b->rings.rings[0]), &(mt_links){0}, &arena, &alignment));
+                          mt_ring_box(&b->rings.rings[0]), &(mt_tariff){3, 4, 1}, &(mt_links){0}, &arena,
+                          &alignment));
     mt_assert_ok(mt_masters_fit(&a->stops, &b->stops, &alignment, tolerance, &arena, &masters));
     return masters;
 }
