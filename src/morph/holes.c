@@ -58,7 +58,7 @@ mt_status mt_close_ring(const mt_ring *ring, bool in_a, const mt_closing *c, mt_
     if (!shut.segments) return MT_NO_MEMORY;
     for (int i = 0; i < shut.count; i++)
         shut.segments[i] = (mt_segment){open.segments[i].degree, {point}, point};
-    *masters = in_a ? (mt_masters){open, shut} : (mt_masters){shut, open};
+    *masters = in_a ? (mt_masters){.a = open, .b = shut} : (mt_masters){.a = shut, .b = open};
     return MT_OK;
 }
 

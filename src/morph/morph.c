@@ -6,7 +6,7 @@
 #include "geometry/decompose.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
-#include "morph/census.h"
+#include "morph/aside.h"
 #include "morph/joint.h"
 #include "morph/links.h"
 #include "morph/masters.h"
@@ -140,7 +140,7 @@ static mt_status join_best(mt_morph *morph, const mt_hints *hints, const mt_para
         best = tried;
     }
     *morph = best;
-    return MT_OK;
+    return least.parts > 0 ? mt_stand_aside(morph, params, arena, &least) : MT_OK;
 }
 
 /* ---- all of it ----------------------------------------------------------------------------------------- */

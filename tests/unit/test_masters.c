@@ -97,7 +97,7 @@ static void mixes(void **state) {
     (void)state;
     mt_segment one[] = {{1, {{0}}, {0, 0}}, {2, {{100, 0}}, {100, 100}}},
                other[] = {{1, {{0}}, {40, 80}}, {2, {{80, 0}}, {0, 0}}};
-    mt_masters masters = {{2, one}, {2, other}};
+    mt_masters masters = {.a = {2, one}, .b = {2, other}};
     mt_contour contour = mixed(&masters, 0.25);
     assert_int_equal(contour.count, 2);
     assert_true(contour.segments[0].degree == 1 && contour.segments[1].degree == 2);
