@@ -14,8 +14,9 @@ enum { DISTANCES = sizeof distances / sizeof *distances, DIRECTIONS = 8 };
 /* Contours in clusters: those whose components are one at either end have to stay together. */
 typedef struct mt_clusters {
     const mt_morph *morph;
-    int *of;      /* each contour's, numbered by its first contour */
-    double *area; /* of each cluster, half-way, grid units squared */
+    int *of;       /* each contour's, numbered by its first contour */
+    double *area;  /* of each cluster, half-way, grid units squared */
+    mt_box *boxes; /* of each cluster, on all of its way */
 } mt_clusters;
 
 /* ---- clusters ------------------------------------------------------------------------------------------------ */
@@ -42,12 +43,39 @@ static double area_half_way(const mt_masters *m) {
     return area;
 }
 
+static mt_box around(mt_box p, mt_box q) {
+    return (mt_box){{p.min.x < q.min.x ? p.min.x : q.min.x, p.min.y < q.min.y ? p.min.y : q.min.y},
+                    {p.max.x > q.max.x ? p.max.x : q.max.x, p.max.y > q.max.y ? p.max.y : q.max.y}};
+}
+
+static bool meet(mt_box p, mt_box q) {
+    return p.min.x <= q.max.x && q.min.x <= p.max.x && p.min.y <= q.max.y && q.min.y <= p.max.y;
+}
+
+static void stretch(mt_box *box, mt_point p) {
+    *box = around(*box, (mt_box){p, p});
+}
+
+/* What a contour stays within on its way, but for standing aside. */
+static mt_box way_box(const mt_masters *m) {
+    mt_box box = {m->a.segments[0].end, m->a.segments[0].end};
+    for (int s = 0; s < 2; s++) {
+        const mt_contour *contour = s == 0 ? &m->a : &m->b;
+        for (int i = 0; i < contour->count; i++) {
+            stretch(&box, contour->segments[i].end);
+            if (contour->segments[i].degree == 2) stretch(&box, contour->segments[i].control[0]);
+        }
+    }
+    return box;
+}
+
 static mt_status gather(const mt_morph *m, mt_arena *arena, mt_clusters *clusters) {
     size_t count = (size_t)m->contour_count;
     int *homes = mt_arena_new(arena, 2 * count, sizeof *homes);
     *clusters =
-        (mt_clusters){m, mt_arena_new(arena, count, sizeof(int)), mt_arena_new(arena, count, sizeof(double))};
-    if (!homes || !clusters->of || !clusters->area) return MT_NO_MEMORY;
+        (mt_clusters){m, mt_arena_new(arena, count, sizeof(int)), mt_arena_new(arena, count, sizeof(double)),
+                      mt_arena_new(arena, count, sizeof(mt_box))};
+    if (!homes || !clusters->of || !clusters->area || !clusters->boxes) return MT_NO_MEMORY;
     for (int i = 0; i < m->contour_count; i++) {
         homes[2 * i] = home_of(&m->a, &m->contours[i].a);
         homes[2 * i + 1] = home_of(&m->b, &m->contours[i].b);
@@ -56,8 +84,12 @@ static mt_status gather(const mt_morph *m, mt_arena *arena, mt_clusters *cluster
             if (homes[2 * k] == homes[2 * i] || homes[2 * k + 1] == homes[2 * i + 1])
                 unite(clusters->of, i + 1, i, k);
     }
-    for (int i = 0; i < m->contour_count; i++)
-        clusters->area[clusters->of[i]] += area_half_way(&m->contours[i]);
+    for (int i = 0; i < m->contour_count; i++) clusters->boxes[i] = way_box(&m->contours[i]);
+    for (int i = 0; i < m->contour_count; i++) {
+        int head = clusters->of[i];
+        clusters->area[head] += area_half_way(&m->contours[i]);
+        clusters->boxes[head] = around(clusters->boxes[head], clusters->boxes[i]);
+    }
     return MT_OK;
 }
 
@@ -96,6 +128,7 @@ static mt_status touch_at(const mt_clusters *c, int p, int q, double t, double c
 static mt_status do_touch(const mt_clusters *c, int p, int q, double chord, mt_arena *arena, bool *touch) {
     mt_status status = MT_OK;
     *touch = false;
+    if (!meet(c->boxes[p], c->boxes[q])) return MT_OK;
     for (int i = 1; status == MT_OK && !*touch && i <= MT_CENSUS_STEPS; i++)
         status = touch_at(c, p, q, (double)i / (MT_CENSUS_STEPS + 1), chord, arena, touch);
     return status;

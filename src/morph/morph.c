@@ -126,21 +126,29 @@ static bool is_sounder(mt_straying tried, mt_straying best) {
     return tried.parts < best.parts && (tried.ink <= MT_INK_EXCESS || tried.ink <= best.ink);
 }
 
+/* In one manner, parts that touch made to stand aside. */
+static mt_status join_soundly(const mt_morph *matched, const mt_terms *terms, mt_arena *arena,
+                              mt_morph *joined, mt_straying *by) {
+    mt_status status = join(matched, terms, arena, joined);
+    if (status == MT_OK) status = mt_morph_strays(joined, terms->params, arena, by);
+    if (status == MT_OK && by->parts > 0) status = mt_stand_aside(joined, terms->params, arena, by);
+    return status;
+}
+
 /* In one manner after the other, until the glyph does not stray on the way; of those that all do, in the one that strays least. */
 static mt_status join_best(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
     mt_morph best = *morph, tried;
     mt_straying least = {INT_MAX, INFINITY}, by;
     for (int i = 0; i < mt_manner_count() && least.parts > 0; i++) {
         mt_terms terms = {hints, params, mt_manner_at(i, params)};
-        mt_status status = join(morph, &terms, arena, &tried);
-        if (status == MT_OK) status = mt_morph_strays(&tried, params, arena, &by);
+        mt_status status = join_soundly(morph, &terms, arena, &tried, &by);
         if (status != MT_OK) return status;
         if (!is_sounder(by, least)) continue;
         least = by;
         best = tried;
     }
     *morph = best;
-    return least.parts > 0 ? mt_stand_aside(morph, params, arena, &least) : MT_OK;
+    return MT_OK;
 }
 
 /* ---- all of it ----------------------------------------------------------------------------------------- */
