@@ -8,7 +8,7 @@
 #include "morph/place.h"
 
 /* How far contours may stand aside half-way, 1/1000 em: the least first. More would be seen. */
-static const double distances[] = {2, 4, 8, 16};
+static const double distances[] = {2, 4, 8, 16, 32};
 enum { DISTANCES = sizeof distances / sizeof *distances, DIRECTIONS = 8 };
 
 /* Contours in clusters: those whose components are one at either end have to stay together. */
@@ -146,9 +146,11 @@ static mt_point way(int distance, int direction) {
     return (mt_point){(int32_t)lround(length * cos(angle)), (int32_t)lround(length * sin(angle))};
 }
 
-/* Moves a cluster that touches another by as little as helps: the two are apart then, and all of the glyph strays less. */
+/* Moves a cluster that touches another by as little as helps, unless it has moved: the two are apart then, and all of the glyph
+ * strays less. */
 static mt_status move_away(const mt_clusters *c, int cluster, int other, const mt_params *params,
                            mt_arena *arena, mt_straying *by) {
+    if (!mt_point_equal(c->morph->contours[cluster].aside, (mt_point){0, 0})) return MT_OK;
     for (int i = 0; i < DISTANCES; i++)
         for (int k = 0; k < DIRECTIONS; k++) {
             bool touch;
@@ -165,15 +167,15 @@ static mt_status move_away(const mt_clusters *c, int cluster, int other, const m
     return MT_OK;
 }
 
-/* Parts two clusters, where they touch: the smaller makes way, unless it has for another. */
+/* Parts two clusters, where they touch: the smaller makes way or, where that does not help, the larger. */
 static mt_status part(const mt_clusters *c, int p, int q, const mt_params *params, mt_arena *arena,
                       mt_straying *by) {
     bool touch;
     mt_status status = do_touch(c, p, q, mt_grid_units(params->tolerance), arena, &touch);
     if (status != MT_OK || !touch) return status;
-    int small = fabs(c->area[p]) <= fabs(c->area[q]) ? p : q;
-    bool free = mt_point_equal(c->morph->contours[small].aside, (mt_point){0, 0});
-    return free ? move_away(c, small, p + q - small, params, arena, by) : MT_OK;
+    int small = fabs(c->area[p]) <= fabs(c->area[q]) ? p : q, large = p + q - small, before = by->parts;
+    status = move_away(c, small, large, params, arena, by);
+    return status == MT_OK && by->parts == before ? move_away(c, large, small, params, arena, by) : status;
 }
 
 mt_status mt_stand_aside(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_straying *by) {
