@@ -80,4 +80,14 @@ static inline double mt_grid_units(double thousandths) {
  * wider. */
 #define MT_SEAM_WIDTH 64
 
+/* A component or a hole of a smaller area is a crumb, in square thousandths of the em: a fifth of a pixel at
+ * 100 pixels an em, where nobody sees a part of its own. The dots of a light face's i have 4000. */
+#define MT_CRUMB 20.0
+
+/* How far the ink of an in-between may leave the range of the ends', relative to the larger end. */
+#define MT_INK_EXCESS 0.03
+
+/* Places between the ends at which an in-between's counts are looked at, evenly spaced. */
+#define MT_CENSUS_STEPS 7
+
 #endif

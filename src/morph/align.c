@@ -61,8 +61,6 @@ mt_status mt_ring_stops(const mt_ring *ring, double chord, double least, mt_aren
 
 /* ---- what a step costs --------------------------------------------------------------------------------- */
 
-static const mt_tariff tariff = {.direction = 3, .distance = 4, .corner = 1};
-
 #define THIN 0.35        /* of the other side: what a side of a box counts as, at least */
 #define PIN_PRICE 100.0F /* for a stop that a hint sends elsewhere */
 #define PIN_REACH 25.0   /* from a hint to the boundary that it is for, at most, 1/1000 em */
@@ -111,11 +109,11 @@ typedef struct mt_grid {
     uint8_t *moves; /* (n + 1) × (m + 1): how each cell is best reached */
 } mt_grid;
 
-static void fill_prices(mt_grid *g, const mt_views *a, const mt_views *b) {
+static void fill_prices(mt_grid *g, const mt_tariff *tariff, const mt_views *a, const mt_views *b) {
     for (int i = 0; i < g->n; i++)
         for (int j = 0; j < g->m; j++)
             g->prices[(size_t)i * (size_t)g->m + (size_t)j] =
-                (float)mt_price(&tariff, &a->views[i], &b->views[j]);
+                (float)mt_price(tariff, &a->views[i], &b->views[j]);
 }
 
 static float price_at(const mt_grid *g, int i, int j) {
@@ -199,8 +197,8 @@ static void pin(mt_grid *g, const mt_links *pins) {
     }
 }
 
-static mt_status start_grid(const mt_views *a, const mt_views *b, const mt_links *pins, mt_arena *arena,
-                            mt_grid *grid) {
+static mt_status start_grid(const mt_views *a, const mt_views *b, const mt_tariff *tariff,
+                            const mt_links *pins, mt_arena *arena, mt_grid *grid) {
     size_t cells = ((size_t)a->count + 1) * ((size_t)b->count + 1);
     if (cells > MT_ALIGNMENT_MAX) return MT_TOO_LARGE;
     *grid = (mt_grid){.n = a->count,
@@ -209,19 +207,20 @@ static mt_status start_grid(const mt_views *a, const mt_views *b, const mt_links
                       .row = mt_arena_new(arena, (size_t)b->count + 1, sizeof(double)),
                       .moves = mt_arena_new(arena, cells, 1)};
     if (!grid->prices || !grid->row || !grid->moves) return MT_NO_MEMORY;
-    fill_prices(grid, a, b);
+    fill_prices(grid, tariff, a, b);
     pin(grid, pins);
     grid->start_a = surest_stop(grid);
     return MT_OK;
 }
 
 static mt_status align(const mt_stops *stops_a, mt_box box_a, const mt_stops *stops_b, mt_box box_b,
-                       const mt_links *pins, mt_arena *arena, mt_alignment *alignment) {
+                       const mt_tariff *tariff, const mt_links *pins, mt_arena *arena,
+                       mt_alignment *alignment) {
     mt_views a, b;
     mt_grid grid;
     mt_status status = views_of(stops_a, box_a, arena, &a);
     if (status == MT_OK) status = views_of(stops_b, box_b, arena, &b);
-    if (status == MT_OK) status = start_grid(&a, &b, pins, arena, &grid);
+    if (status == MT_OK) status = start_grid(&a, &b, tariff, pins, arena, &grid);
     if (status != MT_OK) return status;
     mt_alignment made = {0, mt_arena_new(arena, (size_t)a.count + (size_t)b.count, sizeof(mt_link)),
                          INFINITY};
@@ -256,13 +255,13 @@ static void swap_all(mt_link *links, int count) {
     for (int i = 0; i < count; i++) links[i] = (mt_link){links[i].b, links[i].a};
 }
 
-mt_status mt_align(const mt_stops *a, mt_box box_a, const mt_stops *b, mt_box box_b, const mt_links *pins,
-                   mt_arena *arena, mt_alignment *alignment) {
-    if (compare(a, b) <= 0) return align(a, box_a, b, box_b, pins, arena, alignment);
+mt_status mt_align(const mt_stops *a, mt_box box_a, const mt_stops *b, mt_box box_b, const mt_tariff *tariff,
+                   const mt_links *pins, mt_arena *arena, mt_alignment *alignment) {
+    if (compare(a, b) <= 0) return align(a, box_a, b, box_b, tariff, pins, arena, alignment);
     mt_links swapped = {pins->count, mt_arena_new(arena, (size_t)pins->count, sizeof(mt_link))};
     if (!swapped.links) return MT_NO_MEMORY;
     for (int i = 0; i < pins->count; i++) swapped.links[i] = (mt_link){pins->links[i].b, pins->links[i].a};
-    mt_status status = align(b, box_b, a, box_a, &swapped, arena, alignment);
+    mt_status status = align(b, box_b, a, box_a, tariff, &swapped, arena, alignment);
     if (status == MT_OK) swap_all(alignment->steps, alignment->count);
     return status;
 }

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "geometry/trace.h"
+#include "morph/manner.h"
 #include "morph/morph.h"
 
 /* A place on a ring: a vertex, or a place between two. */
@@ -38,14 +39,7 @@ typedef struct mt_view {
 
 mt_view mt_view_of(const mt_stop *stop, mt_box box);
 
-/* What it costs that two stops go with each other. */
-typedef struct mt_tariff {
-    double direction; /* for headings that are opposite, both in and out */
-    double distance;  /* for places as far apart as the box is wide or high */
-    double corner;    /* for a corner that turns about one way with one that turns about the other */
-} mt_tariff;
-
-/* Inline: the alignments and the walks spend a good part of their time here. */
+/* What it costs that two stops go with each other. Inline: the alignments and the walks spend a good part of their time here. */
 static inline double mt_price(const mt_tariff *t, const mt_view *a, const mt_view *b) {
     double same = a->in_x * b->in_x + a->in_y * b->in_y + a->out_x * b->out_x + a->out_y * b->out_y;
     double alike = a->turn_x * b->turn_x + a->turn_y * b->turn_y;
@@ -69,8 +63,8 @@ typedef struct mt_alignment {
  * are, each relative to its own glyph's box, and by how much their headings differ, in and out, so that
  * corners go to corners. The stops of a pin go with each other. The same whichever of the rings is A's. O(n m).
  * MT_NO_MEMORY, MT_TOO_LARGE. */
-mt_status mt_align(const mt_stops *a, mt_box box_a, const mt_stops *b, mt_box box_b, const mt_links *pins,
-                   mt_arena *arena, mt_alignment *alignment);
+mt_status mt_align(const mt_stops *a, mt_box box_a, const mt_stops *b, mt_box box_b, const mt_tariff *tariff,
+                   const mt_links *pins, mt_arena *arena, mt_alignment *alignment);
 
 /* The pins that hints ask for on two rings: those whose places lie near both. MT_NO_MEMORY. */
 mt_status mt_pins_of(const mt_hints *hints, const mt_stops *a, const mt_stops *b, mt_arena *arena,

@@ -131,21 +131,30 @@ static void list_bridges(mt_border *border, int c, double reach, int *next) {
 #define LEAP_PRICE 1.0   /* for leaping at all … */
 #define LEAP_EM_PRICE 10 /* … and for each em of the way */
 
-/* The stop of component c that is nearest to a place. */
-static int nearest_of(const mt_border *b, int c, mt_point place) {
+/* How far a place is from a component's box, em. */
+static double outside(const mt_border *b, int c, mt_point place) {
+    mt_box box = b->boxes[c];
+    double x = fmax(0, fmax((double)box.min.x - place.x, (double)place.x - box.max.x));
+    double y = fmax(0, fmax((double)box.min.y - place.y, (double)place.y - box.max.y));
+    return sqrt(x * x + y * y) / MT_EM;
+}
+
+/* The stop of component c that is nearest to a stop of another one, near enough to leap to; -1 where none is. */
+static int nearest_of(const mt_border *b, int c, int stop) {
+    mt_point place = b->places[stop];
+    if (outside(b, c, place) > LEAP_REACH) return -1;
     int best = b->first_stop[c];
     for (int i = best + 1; i < b->first_stop[c + 1]; i++)
         if (mt_distance2(b->places[i], place) < mt_distance2(b->places[best], place)) best = i;
-    return best;
+    return mt_border_distance(b, stop, best) <= LEAP_REACH ? best : -1;
 }
 
 /* Counts the leaps between two components, or writes them when there is room: between stops that are nearest to one another. */
 static void list_leaps(mt_border *b, int c, int d, int *next) {
     for (int i = b->first_stop[c]; i < b->first_stop[c + 1]; i++) {
-        int k = nearest_of(b, d, b->places[i]);
-        double length = mt_border_distance(b, i, k);
-        if (length > LEAP_REACH || nearest_of(b, c, b->places[k]) != i) continue;
-        double price = LEAP_PRICE + LEAP_EM_PRICE * length;
+        int k = nearest_of(b, d, i);
+        if (k < 0 || nearest_of(b, c, k) != i) continue;
+        double price = LEAP_PRICE + LEAP_EM_PRICE * mt_border_distance(b, i, k);
         if (b->bridges) b->bridges[next[i]] = (mt_bridge){k, -1, price};
         if (b->bridges) b->bridges[next[k]] = (mt_bridge){i, -1, price};
         next[i]++;
@@ -153,25 +162,25 @@ static void list_leaps(mt_border *b, int c, int d, int *next) {
     }
 }
 
-static void list_all(mt_border *border, double reach, int *next) {
+static void list_all(mt_border *border, double reach, bool leaps, int *next) {
     for (int c = 0; c < border->component_count; c++) {
         list_bridges(border, c, reach, next);
-        for (int d = 0; d < c; d++) list_leaps(border, c, d, next);
+        for (int d = 0; leaps && d < c; d++) list_leaps(border, c, d, next);
     }
 }
 
-static mt_status add_bridges(mt_border *border, double reach, mt_arena *arena) {
+static mt_status add_bridges(mt_border *border, double reach, bool leaps, mt_arena *arena) {
     int *next = mt_arena_new(arena, (size_t)border->count + 1, sizeof *next);
     border->first_bridge = mt_arena_new(arena, (size_t)border->count + 1, sizeof(int));
     if (!next || !border->first_bridge) return MT_NO_MEMORY;
-    list_all(border, reach, next);
+    list_all(border, reach, leaps, next);
     for (int i = 0; i < border->count; i++) {
         border->first_bridge[i + 1] = border->first_bridge[i] + next[i];
         next[i] = border->first_bridge[i];
     }
     border->bridges = mt_arena_new(arena, (size_t)border->first_bridge[border->count] + 1, sizeof(mt_bridge));
     if (!border->bridges) return MT_NO_MEMORY;
-    list_all(border, reach, next);
+    list_all(border, reach, leaps, next);
     return MT_OK;
 }
 
@@ -220,9 +229,11 @@ static mt_status start_border(const mt_shape *shape, double step, mt_arena *aren
     made->component_count = shape->count;
     made->meshes = mt_arena_new(arena, parts, sizeof *made->meshes);
     made->drawn = mt_arena_new(arena, parts, sizeof *made->drawn);
+    made->boxes = mt_arena_new(arena, parts, sizeof *made->boxes);
     made->first_stop = mt_arena_new(arena, parts + 1, sizeof *made->first_stop);
-    if (!made->meshes || !made->drawn || !made->first_stop) return MT_NO_MEMORY;
+    if (!made->meshes || !made->drawn || !made->boxes || !made->first_stop) return MT_NO_MEMORY;
     for (int c = 0; c < shape->count; c++) {
+        made->boxes[c] = mt_ring_box(&shape->components[c].rings[0]);
         rings += (size_t)shape->components[c].count;
         stops += stops_in(&shape->components[c], step);
         if (stops > MT_POINTS_MAX) return MT_TOO_LARGE;
@@ -238,13 +249,14 @@ static mt_status start_border(const mt_shape *shape, double step, mt_arena *aren
                                                                                              : MT_NO_MEMORY;
 }
 
-mt_status mt_border_of(const mt_shape *shape, mt_box box, double chord, double step, double reach,
+mt_status mt_border_of(const mt_shape *shape, mt_box box, const mt_manner *manner, double reach,
                        mt_arena *arena, mt_border *border) {
     mt_border made = {.box = box};
+    double step = mt_grid_units(manner->step);
     mt_status status = start_border(shape, step, arena, &made);
     for (int c = 0; status == MT_OK && c < shape->count; c++)
-        status = add_component(&shape->components[c], c, chord, step, arena, &made);
-    if (status == MT_OK) status = add_bridges(&made, reach, arena);
+        status = add_component(&shape->components[c], c, manner->chord, step, arena, &made);
+    if (status == MT_OK) status = add_bridges(&made, reach, manner->leaps, arena);
     if (status == MT_OK) *border = made;
     return status;
 }

@@ -19,6 +19,7 @@ typedef struct mt_border {
     int component_count;
     mt_mesh *meshes; /* of each component, its long edges divided */
     bool **drawn;    /* of each component's mesh, the vertices that its rings had before */
+    mt_box *boxes;   /* of each component */
     int *first_stop; /* component_count + 1: vertex v of mesh c is stop first_stop[c] + v */
     int ring_count;
     int *first_of_ring; /* ring_count + 1 */
@@ -31,9 +32,9 @@ typedef struct mt_border {
     mt_bridge *bridges;
 } mt_border;
 
-/* The border of a shape in its glyph's box, with stops no further apart than `step` grid units, and the bridges shorter than
- * `reach` grid units. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
-mt_status mt_border_of(const mt_shape *shape, mt_box box, double chord, double step, double reach,
+/* The border of a shape in its glyph's box, with the manner's stops, the bridges shorter than `reach` grid units, and leaps if the
+ * manner has them. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
+mt_status mt_border_of(const mt_shape *shape, mt_box box, const mt_manner *manner, double reach,
                        mt_arena *arena, mt_border *border);
 
 /* The stop that a bridge leaves, and the bridge back over the same diagonal. */

@@ -24,14 +24,15 @@ static mt_status join_rings(mt_joining *j, const mt_ring *p, const mt_ring *q, m
     mt_stops a, b;
     mt_links pins;
     mt_alignment alignment;
-    double chord = mt_grid_units(j->params->tolerance);
+    double chord = j->terms->manner.chord;
     mt_status status = mt_ring_stops(p, chord, STOPS_A_RING, j->arena, &a);
     if (status == MT_OK) status = mt_ring_stops(q, chord, STOPS_A_RING, j->arena, &b);
-    if (status == MT_OK) status = mt_pins_of(j->hints, &a, &b, j->arena, &pins);
-    if (status == MT_OK) status = mt_align(&a, j->a.box, &b, j->b.box, &pins, j->arena, &alignment);
+    if (status == MT_OK) status = mt_pins_of(j->terms->hints, &a, &b, j->arena, &pins);
+    if (status == MT_OK)
+        status = mt_align(&a, j->a.box, &b, j->b.box, &j->terms->manner.align, &pins, j->arena, &alignment);
     if (status != MT_OK) return status;
     j->dearest = fmax(j->dearest, alignment.cost);
-    double fit = mt_grid_units(j->params->fit);
+    double fit = mt_grid_units(j->terms->params->fit);
     status = mt_masters_fit(&a, &b, &alignment, fit, j->arena, masters);
     return status == MT_OK ? mt_masters_smooth(masters, SMOOTHING * fit, j->arena) : status;
 }
@@ -53,7 +54,7 @@ static mt_status is_drawable(const mt_joining *j, const mt_masters *contours, in
     mt_status status = MT_OK;
     for (int i = 0; status == MT_OK && i < count; i++)
         status = mt_masters_mix(&contours[i], mt_weights_at(0.5), j->arena, &outline.contours[i]);
-    if (status == MT_OK) status = mt_flatten(&outline, mt_grid_units(j->params->tolerance), j->arena, &rings);
+    if (status == MT_OK) status = mt_flatten(&outline, j->terms->manner.chord, j->arena, &rings);
     if (status == MT_OK) status = mt_union(&rings, j->arena, &shape);
     if (status != MT_OK) return status;
     double ink = (double)mt_shape_area2(&shape), drawn = (double)signed_area2(&rings);
@@ -93,7 +94,7 @@ static mt_status moved_contour(const mt_contour *contour, mt_point by, mt_arena 
 /* Theorem 1 for a part: where both are alike, there is nothing to align, and each in-between is alike too. */
 static mt_status join_alike(const mt_joining *j, mt_point by, mt_masters *contours, int *count) {
     mt_outline outline;
-    double tolerance = mt_grid_units(j->params->tolerance), fit = mt_grid_units(j->params->fit);
+    double tolerance = j->terms->manner.chord, fit = mt_grid_units(j->terms->params->fit);
     mt_status status = mt_fit(j->a.component, tolerance, fit, j->arena, &outline);
     for (int i = 0; status == MT_OK && i < outline.count; i++) {
         contours[*count].a = outline.contours[i];
@@ -108,7 +109,7 @@ static mt_status close_hole(const mt_joining *j, const mt_ring *hole, bool in_a,
                             int *count) {
     const mt_part *own = in_a ? &j->a : &j->b, *other = in_a ? &j->b : &j->a;
     mt_shape ink = {1, (mt_component *)other->component};
-    mt_closing closing = {own->box, &ink, other->box, j->params};
+    mt_closing closing = {own->box, &ink, other->box, j->terms->params};
     mt_status status = mt_close_ring(hole, in_a, &closing, j->arena, &contours[*count]);
     *count += status == MT_OK && contours[*count].a.count > 0;
     return status;
@@ -129,9 +130,9 @@ static mt_status join_all(mt_joining *j, mt_masters *contours, int *count) {
     return status;
 }
 
-mt_status mt_join(mt_part a, mt_part b, double most, const mt_hints *hints, const mt_params *params,
-                  mt_arena *arena, mt_masters *contours, int *count) {
-    mt_joining j = {a, b, hints, params, arena, 0};
+mt_status mt_join(mt_part a, mt_part b, double most, const mt_terms *terms, mt_arena *arena,
+                  mt_masters *contours, int *count) {
+    mt_joining j = {a, b, terms, arena, 0};
     mt_point by;
     if (is_moved(a.component, b.component, &by)) return join_alike(&j, by, contours, count);
     int before = *count;

@@ -14,8 +14,7 @@
 
 typedef struct mt_loom {
     mt_morph *morph;
-    const mt_hints *hints;
-    const mt_params *params;
+    const mt_terms *terms;
     mt_arena *arena;
 } mt_loom;
 
@@ -44,8 +43,8 @@ static mt_status start(mt_loom *loom) {
 static mt_status join_match(mt_loom *loom, mt_link match, double most) {
     mt_morph *m = loom->morph;
     int before = m->contour_count;
-    mt_status status = mt_join(part_of(&m->a, match.a), part_of(&m->b, match.b), most, loom->hints,
-                               loom->params, loom->arena, m->contours, &m->contour_count);
+    mt_status status = mt_join(part_of(&m->a, match.a), part_of(&m->b, match.b), most, loom->terms,
+                               loom->arena, m->contours, &m->contour_count);
     if (m->contour_count > before) m->a.aligned[match.a] = m->b.aligned[match.b] = true;
     return status;
 }
@@ -100,7 +99,7 @@ static mt_status match_shares(mt_loom *loom, const mt_cut_side *a, const mt_cut_
 static mt_status join_rest(mt_loom *loom, const mt_cut_side *cut, bool in_a) {
     mt_morph *m = loom->morph;
     mt_side *side = in_a ? &m->a : &m->b, *other = in_a ? &m->b : &m->a;
-    mt_closing closing = {side->box, &other->whole, other->box, loom->params};
+    mt_closing closing = {side->box, &other->whole, other->box, loom->terms->params};
     for (int k = 0; k < cut->shares.count; k++) {
         const mt_component *component = &cut->shares.components[k];
         for (int i = 0; i < component->count && cut->partner[k] < 0; i++) {
@@ -123,7 +122,8 @@ static bool is_cut_twice(const mt_morph *m, const mt_cut_side *a, const mt_cut_s
 static mt_status join_cut(mt_loom *loom) {
     mt_morph *m = loom->morph;
     mt_cut_side a, b;
-    mt_status status = mt_reconcile(&m->a, &m->b, loom->hints, loom->params, loom->arena, &a, &b);
+    mt_status status =
+        mt_reconcile(&m->a, &m->b, loom->terms->hints, &loom->terms->manner, loom->arena, &a, &b);
     if (status == MT_OK && is_cut_twice(m, &a, &b))
         status = mt_overlap_cuts(&m->a.shape, &a, &m->b.shape, &b, loom->arena);
     if (status != MT_OK) return status;
@@ -147,9 +147,9 @@ static bool all_aligned(const mt_side *side) {
     return true;
 }
 
-mt_status mt_joint(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
+mt_status mt_joint(mt_morph *morph, const mt_terms *terms, mt_arena *arena) {
     mt_morph whole = *morph;
-    mt_loom loom = {morph, hints, params, arena};
+    mt_loom loom = {morph, terms, arena};
     bool joined;
     mt_status status = join_plain(&loom, PLAIN_MOST, &joined);
     if (status != MT_OK || joined) return status;

@@ -3,10 +3,11 @@
 #define MT_JOINT_H
 
 #include "morph/morph.h"
+#include "morph/terms.h"
 
 /* Aligns the components of both sides: as they are where each has one counterpart and as many holes as it, otherwise cut
  * (reconcile.h), so that the sides' shapes and the matches are those of what they were cut into. Sets the contours, and
  * which components are aligned. What cannot be stays for the links. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
-mt_status mt_joint(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena);
+mt_status mt_joint(mt_morph *morph, const mt_terms *terms, mt_arena *arena);
 
 #endif

@@ -76,8 +76,8 @@ mt_status mt_masters_fit(const mt_stops *a, const mt_stops *b, const mt_alignmen
                          double tolerance, mt_arena *arena, mt_masters *masters) {
     mt_weave w = {{a, b}, alignment};
     int n = alignment->count, start = first_step(&w);
-    mt_masters made = {{0, mt_arena_new(arena, (size_t)n, sizeof(mt_segment))},
-                       {0, mt_arena_new(arena, (size_t)n, sizeof(mt_segment))}};
+    mt_masters made = {.a = {0, mt_arena_new(arena, (size_t)n, sizeof(mt_segment))},
+                       .b = {0, mt_arena_new(arena, (size_t)n, sizeof(mt_segment))}};
     if (!made.a.segments || !made.b.segments) return MT_NO_MEMORY;
     for (int done = 0; done < n;) {
         int count = 1;
@@ -90,15 +90,28 @@ mt_status mt_masters_fit(const mt_stops *a, const mt_stops *b, const mt_alignmen
     return MT_OK;
 }
 
+/* How far the contour stands aside at these weights. */
+static mt_point aside_at(const mt_masters *masters, mt_weights weights) {
+    mt_weights share = {0, 2 * (weights.a < weights.b ? weights.a : weights.b)};
+    share.a = MT_WEIGHT_ONE - share.b;
+    return mt_mix(share, (mt_point){0, 0}, masters->aside);
+}
+
+static mt_point moved(mt_point p, mt_point by) {
+    return (mt_point){p.x + by.x, p.y + by.y};
+}
+
 mt_status mt_masters_mix(const mt_masters *masters, mt_weights weights, mt_arena *arena,
                          mt_contour *contour) {
     mt_contour made = {masters->a.count, mt_arena_new(arena, (size_t)masters->a.count, sizeof(mt_segment))};
     if (!made.segments) return MT_NO_MEMORY;
+    mt_point aside = aside_at(masters, weights);
     for (int i = 0; i < made.count; i++) {
         const mt_segment *p = &masters->a.segments[i], *q = &masters->b.segments[i];
-        made.segments[i] = (mt_segment){.degree = p->degree,
-                                        .control = {mt_mix(weights, p->control[0], q->control[0])},
-                                        .end = mt_mix(weights, p->end, q->end)};
+        made.segments[i] =
+            (mt_segment){.degree = p->degree,
+                         .control = {moved(mt_mix(weights, p->control[0], q->control[0]), aside)},
+                         .end = moved(mt_mix(weights, p->end, q->end), aside)};
     }
     *contour = made;
     return MT_OK;

@@ -1,8 +1,12 @@
 #include "morph/morph.h"
 
+#include <limits.h>
+#include <math.h>
+
 #include "geometry/decompose.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/aside.h"
 #include "morph/joint.h"
 #include "morph/links.h"
 #include "morph/masters.h"
@@ -93,15 +97,58 @@ static mt_status turn_hints(const mt_hints *hints, const mt_morph *morph, mt_box
     return MT_OK;
 }
 
+/* ---- 2.2.2 mapping the pieces ---------------------------------------------------------------------------- */
+
+static mt_status link_pieces(mt_morph *morph, const mt_params *params, mt_arena *arena) {
+    bool paper = params->method == MT_METHOD_PAPER;
+    mt_status status = decompose_all(&morph->a, arena);
+    if (status == MT_OK) status = decompose_all(&morph->b, arena);
+    if (status != MT_OK) return status;
+    return (paper ? mt_link_pieces : mt_link_evenly)(&morph->a, &morph->b, &morph->matches, params->one_scale,
+                                                     arena, &morph->links);
+}
+
 /* ---- the joint method ---------------------------------------------------------------------------------- */
 
-/* What the joint method cannot take, the paper's own still can. */
-static mt_status join(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
-    mt_morph joined = *morph;
-    mt_status status = mt_joint(&joined, hints, params, arena);
-    if (status == MT_TOO_LARGE || status == MT_BAD_GEOMETRY) return MT_OK;
-    if (status == MT_OK) *morph = joined;
+/* In one manner. What the joint method cannot take, the paper's own still can. */
+static mt_status join(const mt_morph *matched, const mt_terms *terms, mt_arena *arena, mt_morph *joined) {
+    *joined = *matched;
+    mt_status status = mt_joint(joined, terms, arena);
+    if (status == MT_TOO_LARGE || status == MT_BAD_GEOMETRY) {
+        *joined = *matched;
+        status = MT_OK;
+    }
+    return status == MT_OK ? link_pieces(joined, terms->params, arena) : status;
+}
+
+/* Whether a manner keeps parts and holes better, and the ink no worse where that strays too. */
+static bool is_sounder(mt_straying tried, mt_straying best) {
+    return tried.parts < best.parts && (tried.ink <= MT_INK_EXCESS || tried.ink <= best.ink);
+}
+
+/* In one manner, parts that touch made to stand aside. */
+static mt_status join_soundly(const mt_morph *matched, const mt_terms *terms, mt_arena *arena,
+                              mt_morph *joined, mt_straying *by) {
+    mt_status status = join(matched, terms, arena, joined);
+    if (status == MT_OK) status = mt_morph_strays(joined, terms->params, arena, by);
+    if (status == MT_OK && by->parts > 0) status = mt_stand_aside(joined, terms->params, arena, by);
     return status;
+}
+
+/* In one manner after the other, until the glyph does not stray on the way; of those that all do, in the one that strays least. */
+static mt_status join_best(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
+    mt_morph best = *morph, tried;
+    mt_straying least = {INT_MAX, INFINITY}, by;
+    for (int i = 0; i < mt_manner_count() && least.parts > 0; i++) {
+        mt_terms terms = {hints, params, mt_manner_at(i, params)};
+        mt_status status = join_soundly(morph, &terms, arena, &tried, &by);
+        if (status != MT_OK) return status;
+        if (!is_sounder(by, least)) continue;
+        least = by;
+        best = tried;
+    }
+    *morph = best;
+    return MT_OK;
 }
 
 /* ---- all of it ----------------------------------------------------------------------------------------- */
@@ -116,14 +163,9 @@ mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints 
     if (status == MT_OK && a->count) status = match_components(&made, params, arena);
     mt_hints turned = {0};
     if (status == MT_OK && hints) status = turn_hints(hints, &made, mt_shape_box(b), arena, &turned);
-    if (status == MT_OK && a->count && params->method == MT_METHOD_JOINT)
-        status = join(&made, &turned, params, arena);
-    if (status == MT_OK) status = decompose_all(&made.a, arena);
-    if (status == MT_OK) status = decompose_all(&made.b, arena);
-    bool paper = params->method == MT_METHOD_PAPER;
-    if (status == MT_OK)
-        status = (paper ? mt_link_pieces : mt_link_evenly)(&made.a, &made.b, &made.matches, params->one_scale,
-                                                           arena, &made.links);
+    if (status != MT_OK) return status;
+    bool joint = a->count > 0 && params->method == MT_METHOD_JOINT;
+    status = joint ? join_best(&made, &turned, params, arena) : link_pieces(&made, params, arena);
     if (status == MT_OK) *morph = made;
     return status;
 }

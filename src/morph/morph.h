@@ -29,9 +29,11 @@ typedef struct mt_side {
 } mt_side;
 
 /* Compatible masters: two contours with as many segments, of the same degrees, between which every point
- * moves on a straight line. */
+ * moves on a straight line, or on one that is bent half-way. */
 typedef struct mt_masters {
     mt_contour a, b;
+    mt_point
+        aside; /* how far the contour stands aside half-way, to make way for another; in proportion between there and the ends */
 } mt_masters;
 
 typedef struct mt_morph {

@@ -23,16 +23,17 @@ typedef struct mt_heap {
 
 /* ---- what is left ------------------------------------------------------------------------------------------------ */
 
-static mt_status is_dear(const mt_heap heaps[2], int i, double chord, mt_arena *arena, bool *dear) {
+static mt_status is_dear(const mt_heap heaps[2], int i, const mt_manner *manner, mt_arena *arena,
+                         bool *dear) {
     double price = 0;
     const mt_ring *p = &heaps[0].made.shares.components[i].rings[0],
                   *q = &heaps[1].made.shares.components[heaps[0].made.partner[i]].rings[0];
-    mt_status status = mt_pair_price(p, heaps[0].side->box, q, heaps[1].side->box, chord, arena, &price);
+    mt_status status = mt_pair_price(p, heaps[0].side->box, q, heaps[1].side->box, manner, arena, &price);
     *dear = price > DEAR;
     return status;
 }
 
-static mt_status tell_left(mt_heap heaps[2], double chord, mt_arena *arena) {
+static mt_status tell_left(mt_heap heaps[2], const mt_manner *manner, mt_arena *arena) {
     for (int s = 0; s < 2; s++) {
         const mt_cut_side *made = &heaps[s].made;
         heaps[s].left = mt_arena_new(arena, (size_t)made->shares.count, sizeof(bool));
@@ -43,7 +44,7 @@ static mt_status tell_left(mt_heap heaps[2], double chord, mt_arena *arena) {
     for (int i = 0; i < heaps[0].made.shares.count; i++) {
         bool dear = false;
         if (heaps[0].left[i]) continue;
-        mt_status status = is_dear(heaps, i, chord, arena, &dear);
+        mt_status status = is_dear(heaps, i, manner, arena, &dear);
         if (status != MT_OK) return status;
         heaps[0].left[i] = heaps[1].left[heaps[0].made.partner[i]] = dear;
     }
@@ -118,14 +119,13 @@ static mt_status put_together(mt_heap heaps[2], mt_arena *arena, mt_cut_side *cu
     return MT_OK;
 }
 
-static mt_status do_rounds(const mt_side *a, const mt_side *b, const mt_hints *hints, const mt_params *params,
+static mt_status do_rounds(const mt_side *a, const mt_side *b, const mt_hints *hints, const mt_manner *manner,
                            int rounds, mt_arena *arena, mt_cut_side *cuts[2]) {
     mt_heap heaps[2] = {{.side = a}, {.side = b}};
-    double chord = mt_grid_units(params->tolerance);
     mt_side left[2];
     mt_hints further;
-    mt_status status = mt_find_shares(a, b, hints, params, arena, &heaps[0].made, &heaps[1].made);
-    if (status == MT_OK) status = tell_left(heaps, chord, arena);
+    mt_status status = mt_find_shares(a, b, hints, manner, arena, &heaps[0].made, &heaps[1].made);
+    if (status == MT_OK) status = tell_left(heaps, manner, arena);
     if (status != MT_OK) return status;
     if (rounds == 1 || !is_worth_while(heaps)) {
         for (int s = 0; s < 2; s++) *cuts[s] = heaps[s].made;
@@ -134,27 +134,27 @@ static mt_status do_rounds(const mt_side *a, const mt_side *b, const mt_hints *h
     status = hints_left(hints, heaps, arena, &further);
     for (int s = 0; status == MT_OK && s < 2; s++) status = side_left(&heaps[s], arena, &left[s]);
     mt_cut_side *next[2] = {&heaps[0].next, &heaps[1].next};
-    if (status == MT_OK) status = do_rounds(&left[0], &left[1], &further, params, rounds - 1, arena, next);
+    if (status == MT_OK) status = do_rounds(&left[0], &left[1], &further, manner, rounds - 1, arena, next);
     return status == MT_OK ? put_together(heaps, arena, cuts) : status;
 }
 
 /* ---- all of it --------------------------------------------------------------------------------------------------- */
 
 /* What is left of both sides goes together at any price: where one is slit open and the other is not, yet, it is high. */
-static mt_status pair_rest(const mt_side *a, const mt_side *b, double chord, mt_arena *arena,
+static mt_status pair_rest(const mt_side *a, const mt_side *b, const mt_manner *manner, mt_arena *arena,
                            mt_cut_side *cuts[2]) {
     mt_ring_list in_a, in_b;
     mt_status status = mt_outer_rings(&cuts[0]->shares, a->box, arena, &in_a);
     if (status == MT_OK) status = mt_outer_rings(&cuts[1]->shares, b->box, arena, &in_b);
     if (status != MT_OK) return status;
-    return mt_pair_rings(&in_a, &in_b, INFINITY, chord, arena, cuts[0]->partner, cuts[1]->partner);
+    return mt_pair_rings(&in_a, &in_b, INFINITY, manner, arena, cuts[0]->partner, cuts[1]->partner);
 }
 
-mt_status mt_reconcile(const mt_side *a, const mt_side *b, const mt_hints *hints, const mt_params *params,
+mt_status mt_reconcile(const mt_side *a, const mt_side *b, const mt_hints *hints, const mt_manner *manner,
                        mt_arena *arena, mt_cut_side *cut_a, mt_cut_side *cut_b) {
     mt_cut_side made[2], *cuts[2] = {&made[0], &made[1]};
-    mt_status status = do_rounds(a, b, hints, params, ROUNDS, arena, cuts);
-    if (status == MT_OK) status = pair_rest(a, b, mt_grid_units(params->tolerance), arena, cuts);
+    mt_status status = do_rounds(a, b, hints, manner, ROUNDS, arena, cuts);
+    if (status == MT_OK) status = pair_rest(a, b, manner, arena, cuts);
     if (status != MT_OK) return status;
     *cut_a = made[0];
     *cut_b = made[1];

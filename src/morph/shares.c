@@ -8,7 +8,6 @@
 #include "morph/pairing.h"
 #include "morph/walk.h"
 
-#define STEP 12.0   /* between stops, 1/1000 em */
 #define REACH 300.0 /* of a bridge, 1/1000 em */
 
 /* What aligning two shares may cost (pairing.h) for them to go together. */
@@ -29,12 +28,12 @@ typedef struct mt_bank {
 /* ---- walks --------------------------------------------------------------------------------------------------------- */
 
 /* Walks around all rings of one side on the other's border, and notes which bridges are used. */
-static mt_status walk_on(const mt_bank *from, mt_bank *to, mt_arena *arena) {
+static mt_status walk_on(const mt_bank *from, mt_bank *to, const mt_tariff *tariff, mt_arena *arena) {
     for (int i = 0; i < to->border.first_bridge[to->border.count]; i++) to->used[i] = false;
     for (int r = 0; r < from->border.ring_count; r++) {
         mt_arena_place before = mt_arena_mark(arena);
         mt_walk walk;
-        mt_status status = mt_walk_around(&from->border, r, &to->border, arena, &walk);
+        mt_status status = mt_walk_around(&from->border, r, &to->border, tariff, arena, &walk);
         if (status != MT_OK) return status;
         for (int k = 0; k < walk.count; k++)
             if (walk.paces[k].bridge >= 0) to->used[walk.paces[k].bridge] = true;
@@ -43,9 +42,9 @@ static mt_status walk_on(const mt_bank *from, mt_bank *to, mt_arena *arena) {
     return MT_OK;
 }
 
-static mt_status walk_both_ways(mt_bank *banks, mt_arena *arena) {
-    mt_status status = walk_on(&banks[0], &banks[1], arena);
-    return status == MT_OK ? walk_on(&banks[1], &banks[0], arena) : status;
+static mt_status walk_both_ways(mt_bank *banks, const mt_tariff *tariff, mt_arena *arena) {
+    mt_status status = walk_on(&banks[0], &banks[1], tariff, arena);
+    return status == MT_OK ? walk_on(&banks[1], &banks[0], tariff, arena) : status;
 }
 
 /* ---- holes that both sides have ------------------------------------------------------------------------------ */
@@ -80,8 +79,8 @@ static void bar_common(mt_border *b, const bool *common, const bool *outer) {
         }
 }
 
-static mt_status keep_common_holes(const mt_side *a, const mt_side *b, mt_bank *banks, double chord,
-                                   mt_arena *arena) {
+static mt_status keep_common_holes(const mt_side *a, const mt_side *b, mt_bank *banks,
+                                   const mt_manner *manner, mt_arena *arena) {
     mt_ring_list holes[2];
     int *ring_of[2], *partner[2];
     bool *common[2], *outer[2];
@@ -97,7 +96,7 @@ static mt_status keep_common_holes(const mt_side *a, const mt_side *b, mt_bank *
         for (int i = 0; status == MT_OK && i < holes[s].count; i++) partner[s][i] = -1;
     }
     if (status == MT_OK)
-        status = mt_pair_rings(&holes[0], &holes[1], COMMON_MOST, chord, arena, partner[0], partner[1]);
+        status = mt_pair_rings(&holes[0], &holes[1], COMMON_MOST, manner, arena, partner[0], partner[1]);
     for (int s = 0; status == MT_OK && s < 2; s++) {
         for (int i = 0; i < holes[s].count; i++) common[s][ring_of[s][i]] = partner[s][i] >= 0;
         bar_common(&banks[s].border, common[s], outer[s]);
@@ -220,7 +219,8 @@ static mt_status cut_all(mt_bank *bank, mt_arena *arena) {
     return bank->made.partner ? MT_OK : MT_NO_MEMORY;
 }
 
-static mt_status pair_shares(mt_bank *banks, const mt_hints *hints, double chord, mt_arena *arena) {
+static mt_status pair_shares(mt_bank *banks, const mt_hints *hints, const mt_manner *manner,
+                             mt_arena *arena) {
     mt_cut_side *a = &banks[0].made, *b = &banks[1].made;
     mt_ring_list in_a, in_b;
     mt_status status = mt_outer_rings(&banks[0].made.shares, banks[0].border.box, arena, &in_a);
@@ -236,7 +236,7 @@ static mt_status pair_shares(mt_bank *banks, const mt_hints *hints, double chord
         a->partner[p] = q;
         b->partner[q] = p;
     }
-    return mt_pair_rings(&in_a, &in_b, PARTNER_MOST, chord, arena, a->partner, b->partner);
+    return mt_pair_rings(&in_a, &in_b, PARTNER_MOST, manner, arena, a->partner, b->partner);
 }
 
 /* ---- cuts that do not help ------------------------------------------------------------------------------------------------- */
@@ -256,7 +256,8 @@ static void set_cut(const mt_frontier *f, bool cut) {
 }
 
 /* Whether the two shares together go with the other's partner better than that share alone. */
-static mt_status is_better_whole(const mt_frontier *f, double chord, mt_arena *arena, bool *better) {
+static mt_status is_better_whole(const mt_frontier *f, const mt_manner *manner, mt_arena *arena,
+                                 bool *better) {
     const mt_bank *bank = f->bank;
     const mt_mesh *mesh = &bank->border.meshes[f->component];
     mt_stencil ink = {mesh, bank->border.drawn[f->component], bank->cut[f->component]};
@@ -271,19 +272,19 @@ static mt_status is_better_whole(const mt_frontier *f, double chord, mt_arena *a
     if (status != MT_OK) return status;
     const mt_ring *whole = &shares.components[share_of[f->edge / 3]].rings[0],
                   *alone = &bank->made.shares.components[f->there].rings[0];
-    status = mt_pair_price(alone, bank->border.box, goal, f->other->border.box, chord, arena, &apart);
+    status = mt_pair_price(alone, bank->border.box, goal, f->other->border.box, manner, arena, &apart);
     if (status == MT_OK)
-        status = mt_pair_price(whole, bank->border.box, goal, f->other->border.box, chord, arena, &together);
+        status = mt_pair_price(whole, bank->border.box, goal, f->other->border.box, manner, arena, &together);
     *better = together < apart;
     return status;
 }
 
 /* Whether the cut is better taken back: the other share has no partner either, or is the larger one, or gains by it. */
-static mt_status is_idle(const mt_frontier *f, double chord, mt_arena *arena, bool *idle) {
+static mt_status is_idle(const mt_frontier *f, const mt_manner *manner, mt_arena *arena, bool *idle) {
     const mt_shape *shares = &f->bank->made.shares;
     *idle =
         f->bank->made.partner[f->there] < 0 || f->area < mt_component_area2(&shares->components[f->there]);
-    return *idle ? MT_OK : is_better_whole(f, chord, arena, idle);
+    return *idle ? MT_OK : is_better_whole(f, manner, arena, idle);
 }
 
 static bool frontier_at(mt_bank *banks, int side, int component, int edge, mt_frontier *f) {
@@ -305,7 +306,7 @@ static bool frontier_at(mt_bank *banks, int side, int component, int edge, mt_fr
 }
 
 /* Takes back one idle cut: of the smallest share the longest. *taken: there was one. */
-static mt_status take_back(mt_bank *banks, double chord, mt_arena *arena, bool *taken) {
+static mt_status take_back(mt_bank *banks, const mt_manner *manner, mt_arena *arena, bool *taken) {
     mt_frontier best = {0}, f;
     for (int s = 0; s < 2; s++)
         for (int c = 0; c < banks[s].border.component_count; c++)
@@ -314,7 +315,7 @@ static mt_status take_back(mt_bank *banks, double chord, mt_arena *arena, bool *
                 if (!frontier_at(banks, s, c, e, &f)) continue;
                 if (best.bank && (f.area > best.area || (f.area == best.area && f.length <= best.length)))
                     continue;
-                mt_status status = is_idle(&f, chord, arena, &idle);
+                mt_status status = is_idle(&f, manner, arena, &idle);
                 if (status != MT_OK) return status;
                 if (idle) best = f;
             }
@@ -325,36 +326,35 @@ static mt_status take_back(mt_bank *banks, double chord, mt_arena *arena, bool *
 
 /* ---- all of it ----------------------------------------------------------------------------------------------------------- */
 
-static mt_status start_bank(const mt_side *side, double chord, mt_arena *arena, mt_bank *bank) {
-    mt_status status = mt_border_of(&side->shape, side->box, chord, mt_grid_units(STEP), mt_grid_units(REACH),
-                                    arena, &bank->border);
+static mt_status start_bank(const mt_side *side, const mt_manner *manner, mt_arena *arena, mt_bank *bank) {
+    mt_status status =
+        mt_border_of(&side->shape, side->box, manner, mt_grid_units(REACH), arena, &bank->border);
     if (status != MT_OK) return status;
     bank->used =
         mt_arena_new(arena, (size_t)bank->border.first_bridge[bank->border.count], sizeof *bank->used);
     return bank->used ? MT_OK : MT_NO_MEMORY;
 }
 
-static mt_status find_cuts(mt_bank *banks, mt_arena *arena) {
-    mt_status status = walk_both_ways(banks, arena);
+static mt_status find_cuts(mt_bank *banks, const mt_tariff *tariff, mt_arena *arena) {
+    mt_status status = walk_both_ways(banks, tariff, arena);
     for (int s = 0; status == MT_OK && s < 2; s++) status = bar_bridges(&banks[s], arena);
-    if (status == MT_OK) status = walk_both_ways(banks, arena);
+    if (status == MT_OK) status = walk_both_ways(banks, tariff, arena);
     for (int s = 0; status == MT_OK && s < 2; s++) status = choose_cuts(&banks[s], arena);
     return status;
 }
 
-mt_status mt_find_shares(const mt_side *a, const mt_side *b, const mt_hints *hints, const mt_params *params,
+mt_status mt_find_shares(const mt_side *a, const mt_side *b, const mt_hints *hints, const mt_manner *manner,
                          mt_arena *arena, mt_cut_side *cut_a, mt_cut_side *cut_b) {
     mt_bank banks[2] = {0};
-    double chord = mt_grid_units(params->tolerance);
-    mt_status status = start_bank(a, chord, arena, &banks[0]);
-    if (status == MT_OK) status = start_bank(b, chord, arena, &banks[1]);
-    if (status == MT_OK) status = keep_common_holes(a, b, banks, chord, arena);
-    if (status == MT_OK) status = find_cuts(banks, arena);
+    mt_status status = start_bank(a, manner, arena, &banks[0]);
+    if (status == MT_OK) status = start_bank(b, manner, arena, &banks[1]);
+    if (status == MT_OK) status = keep_common_holes(a, b, banks, manner, arena);
+    if (status == MT_OK) status = find_cuts(banks, &manner->walk, arena);
     bool changed = true;
     while (status == MT_OK && changed) {
         for (int s = 0; status == MT_OK && s < 2; s++) status = cut_all(&banks[s], arena);
-        if (status == MT_OK) status = pair_shares(banks, hints, chord, arena);
-        if (status == MT_OK) status = take_back(banks, chord, arena, &changed);
+        if (status == MT_OK) status = pair_shares(banks, hints, manner, arena);
+        if (status == MT_OK) status = take_back(banks, manner, arena, &changed);
     }
     if (status != MT_OK) return status;
     *cut_a = banks[0].made;

@@ -6,7 +6,6 @@
 #include "morph/border.h"
 #include "morph/cut.h"
 
-#define STEP 12.0   /* between the places where a slit may end, 1/1000 em */
 #define REACH 300.0 /* of a slit, 1/1000 em */
 #define TRIES 12    /* stretches of the hole, of each of which the shortest slit is looked at */
 
@@ -53,12 +52,11 @@ static mt_status cut_along(const mt_border *b, int bridge, mt_arena *arena, mt_c
     return MT_OK;
 }
 
-mt_status mt_slit(const mt_slit_case *slit, int hole, double chord, mt_arena *arena, mt_component *opened,
-                  bool *done) {
+mt_status mt_slit(const mt_slit_case *slit, int hole, const mt_manner *manner, mt_arena *arena,
+                  mt_component *opened, bool *done) {
     mt_border border;
     mt_shape whole = {1, (mt_component *)slit->component};
-    mt_status status =
-        mt_border_of(&whole, slit->box, chord, mt_grid_units(STEP), mt_grid_units(REACH), arena, &border);
+    mt_status status = mt_border_of(&whole, slit->box, manner, mt_grid_units(REACH), arena, &border);
     if (status != MT_OK) return status;
     mt_tries tries = shortest(&border, hole, slit->counterpart);
     double least = INFINITY;
@@ -69,10 +67,10 @@ mt_status mt_slit(const mt_slit_case *slit, int hole, double chord, mt_arena *ar
         double before = 0, after = 0;
         status = cut_along(&border, tries.bridges[i], arena, &made, &ring);
         if (status == MT_OK)
-            status = mt_pair_price(&slit->component->rings[to], slit->box, goal, slit->other_box, chord,
+            status = mt_pair_price(&slit->component->rings[to], slit->box, goal, slit->other_box, manner,
                                    arena, &before);
         if (status == MT_OK)
-            status = mt_pair_price(ring, slit->box, goal, slit->other_box, chord, arena, &after);
+            status = mt_pair_price(ring, slit->box, goal, slit->other_box, manner, arena, &after);
         if (status != MT_OK || after >= before || after - before >= least) continue;
         least = after - before;
         *opened = made;

@@ -15,7 +15,7 @@ typedef struct mt_slit_case {
 /* Slits the component open between hole `hole`, which has no counterpart, and a ring that has one, where what comes of it goes
  * with that counterpart better than the ring alone did: on the other side the hole is open there. *done says whether there
  * is such a place; then *opened is the component with one ring less. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
-mt_status mt_slit(const mt_slit_case *slit, int hole, double chord, mt_arena *arena, mt_component *opened,
-                  bool *done);
+mt_status mt_slit(const mt_slit_case *slit, int hole, const mt_manner *manner, mt_arena *arena,
+                  mt_component *opened, bool *done);
 
 #endif

@@ -4,8 +4,9 @@
 
 #include "geometry/limits.h"
 
-/* A walker minds the distance more than one who only aligns (align.c), since it has the choice of all rings. */
-static const mt_tariff tariff = {.direction = 1, .distance = 4, .corner = 0};
+/* How far a walker looks around: the border's stops whose places, each relative to its glyph's box, are farther off than so many
+ * boxes in x or in y are out of its reach. Where that leads nowhere it looks twice as far; 1 is all of the box. */
+#define SIGHT 0.2
 
 /* How a cell was reached. From a bridge on, it is the bridge's number. */
 enum { START, STAY, BOTH, ALONG, BRIDGE };
@@ -15,8 +16,18 @@ typedef struct mt_columns {
     double *x, *y, *in_x, *in_y, *out_x, *out_y;
 } mt_columns;
 
+/* A stretch of a ring of the border, which is in sight, or out of it, as a whole. */
+typedef struct mt_stretch {
+    int first, end; /* its stops */
+    int gate;       /* the first of its gates; they end where the next stretch's begin */
+    double low_x, low_y, high_x, high_y;
+} mt_stretch;
+
+enum { STRETCH_STOPS = 16 };
+
 typedef struct mt_walker {
     const mt_border *from, *to;
+    mt_tariff tariff;
     mt_columns columns;
     int first, n; /* the stops of the ring */
     int start;    /* the stop of the ring to start at */
@@ -28,13 +39,21 @@ typedef struct mt_walker {
     int gate_count, *gates;  /* the stops that have such bridges */
     int later_count, *later; /* stops whose bridges are to be looked at again … */
     bool *waits;             /* … and whether a stop is one of them */
-    double *cost[2];
-    float *price; /* of this stop of the ring with each of the border */
-    int32_t *how; /* (n + 1) × to->count */
+    double sight;            /* boxes */
+    mt_stretch *stretches;   /* and one more that is empty */
+    int *first_stretch;      /* of each ring of the border, and one more */
+    bool *seen[2];           /* each stretch, by rows: whether it is in sight */
+    double *cost[2];         /* INFINITY out of sight */
+    float *price;            /* of this stop of the ring with each of the border; INFINITY out of sight */
+    int32_t *how;            /* (n + 1) × to->count */
 } mt_walker;
 
 static int32_t *row_of(const mt_walker *w, int i) {
     return w->how + (size_t)i * (size_t)w->to->count;
+}
+
+static int stretch_count(const mt_walker *w) {
+    return w->first_stretch[w->to->ring_count];
 }
 
 /* Notes that a stop's bridges are to be looked at, if it has any. */
@@ -44,19 +63,50 @@ static void look_later(mt_walker *w, int j) {
     w->later[w->later_count++] = j;
 }
 
-/* ---- one row ----------------------------------------------------------------------------------------------------- */
+/* ---- what is in sight ---------------------------------------------------------------------------------------------- */
 
-/* As mt_price, for all stops of the border, column by column: half of a walk's time goes here. */
-static void price_row(mt_walker *w, int i) {
-    const mt_view *here = &w->from->views[w->first + (w->start + i) % w->n];
+/* As mt_price, for the stops of one stretch, column by column. */
+static void price_stretch(mt_walker *w, const mt_view *here, const mt_stretch *stretch) {
     const mt_columns *c = &w->columns;
-    for (int j = 0; j < w->to->count; j++) {
+    const mt_tariff t = w->tariff;
+    for (int j = stretch->first; j < stretch->end; j++) {
         double same = here->in_x * c->in_x[j] + here->in_y * c->in_y[j] + here->out_x * c->out_x[j] +
                       here->out_y * c->out_y[j];
         double dx = here->x - c->x[j], dy = here->y - c->y[j];
-        w->price[j] = (float)(tariff.direction * (2 - same) / 4 + tariff.distance * sqrt(dx * dx + dy * dy));
+        w->price[j] = (float)(t.direction * (2 - same) / 4 + t.distance * sqrt(dx * dx + dy * dy));
     }
 }
+
+static bool is_in_sight(const mt_walker *w, const mt_view *here, const mt_stretch *stretch) {
+    return here->x >= stretch->low_x - w->sight && here->x <= stretch->high_x + w->sight &&
+           here->y >= stretch->low_y - w->sight && here->y <= stretch->high_y + w->sight;
+}
+
+/* Looks around from stop i of the ring: prices for what is in sight, none for what no longer is. */
+static void look_around(mt_walker *w, int i) {
+    const mt_view *here = &w->from->views[w->first + (w->start + i) % w->n];
+    bool *seen = w->seen[i % 2];
+    const bool *last = w->seen[(i + 1) % 2];
+    double *cost = w->cost[i % 2];
+    for (int s = 0; s < stretch_count(w); s++) {
+        const mt_stretch *stretch = &w->stretches[s];
+        bool now = is_in_sight(w, here, stretch);
+        for (int j = stretch->first; seen[s] && !now && j < stretch->end; j++) cost[j] = INFINITY;
+        for (int j = stretch->first; last[s] && !now && j < stretch->end; j++) w->price[j] = INFINITY;
+        seen[s] = now;
+        if (now) price_stretch(w, here, stretch);
+    }
+}
+
+static void shut_eyes(mt_walker *w) {
+    for (int j = 0; j < w->to->count; j++) {
+        w->cost[0][j] = w->cost[1][j] = INFINITY;
+        w->price[j] = INFINITY;
+    }
+    for (int s = 0; s < stretch_count(w); s++) w->seen[0][s] = w->seen[1][s] = false;
+}
+
+/* ---- one row ----------------------------------------------------------------------------------------------------- */
 
 /* Along the ring of the border from stop j on, while the ring's walker waits, as long as that is cheaper. What it reaches has
  * its bridges to look at. */
@@ -72,16 +122,35 @@ static void go_on_from(mt_walker *w, int j, double *cost, int32_t *how) {
     }
 }
 
-/* Once along a ring of the border from its cheapest stop, to which no way along the ring can be cheaper. */
-static void go_along(mt_walker *w, int ring, double *cost, int32_t *how) {
+static void step_along(const mt_walker *w, int j, int k, double *cost, int32_t *how) {
+    double by = cost[j] + MT_WAIT_PRICE + (double)w->price[k];
+    if (by >= cost[k]) return;
+    cost[k] = by;
+    how[k] = ALONG;
+}
+
+/* Once along a ring of the border that is all in sight, from its cheapest stop, to which no way along the ring can be cheaper. */
+static void go_around(const mt_walker *w, int ring, double *cost, int32_t *how) {
     int low = w->to->first_of_ring[ring], high = w->to->first_of_ring[ring + 1], least = low;
     for (int j = low + 1; j < high; j++)
         if (cost[j] < cost[least]) least = j;
-    for (int j = least, k = w->after[j]; k != least; j = k, k = w->after[j]) {
-        double by = cost[j] + MT_WAIT_PRICE + (double)w->price[k];
-        if (by >= cost[k]) continue;
-        cost[k] = by;
-        how[k] = ALONG;
+    for (int j = least, k = w->after[j]; k != least; j = k, k = w->after[j]) step_along(w, j, k, cost, how);
+}
+
+/* Along what is in sight of a ring of the border: from a stretch out of sight on, so that nothing comes before its own start. */
+static void go_along(const mt_walker *w, int ring, const bool *seen, double *cost, int32_t *how) {
+    int low = w->first_stretch[ring], high = w->first_stretch[ring + 1], unseen = low;
+    while (unseen < high && seen[unseen]) unseen++;
+    if (unseen == high) {
+        go_around(w, ring, cost, how);
+        return;
+    }
+    for (int k = 1, s = unseen; k < high - low; k++) {
+        s = s + 1 < high ? s + 1 : low;
+        if (!seen[s]) continue;
+        step_along(w, w->before[w->stretches[s].first], w->stretches[s].first, cost, how);
+        for (int j = w->stretches[s].first + 1; j < w->stretches[s].end; j++)
+            step_along(w, j - 1, j, cost, how);
     }
 }
 
@@ -97,9 +166,14 @@ static void go_across(mt_walker *w, int j, double *cost, int32_t *how) {
     }
 }
 
-static void settle_row(mt_walker *w, double *cost, int32_t *how) {
-    for (int r = 0; r < w->to->ring_count; r++) go_along(w, r, cost, how);
-    for (int i = 0; i < w->gate_count; i++) go_across(w, w->gates[i], cost, how);
+static void settle_row(mt_walker *w, int i) {
+    double *cost = w->cost[i % 2];
+    int32_t *how = row_of(w, i);
+    const bool *seen = w->seen[i % 2];
+    for (int r = 0; r < w->to->ring_count; r++) go_along(w, r, seen, cost, how);
+    for (int s = 0; s < stretch_count(w); s++)
+        for (int g = w->stretches[s].gate; seen[s] && g < w->stretches[s + 1].gate; g++)
+            go_across(w, w->gates[g], cost, how);
     while (w->later_count > 0) {
         int j = w->later[--w->later_count];
         w->waits[j] = false;
@@ -107,33 +181,37 @@ static void settle_row(mt_walker *w, double *cost, int32_t *how) {
     }
 }
 
-static void next_row(mt_walker *w, int i) {
+/* From the row before to stretch s, the ring's walker alone or both going on. */
+static void go_on_to(const mt_walker *w, int i, const mt_stretch *stretch) {
     const double *last = w->cost[(i + 1) % 2];
-    double *cost = w->cost[i % 2];
+    double *cost = w->cost[i % 2], both = last[w->before[stretch->first]];
     int32_t *how = row_of(w, i);
-    price_row(w, i);
-    for (int r = 0; r < w->to->ring_count; r++) {
-        double both = last[w->to->first_of_ring[r + 1] - 1];
-        for (int j = w->to->first_of_ring[r]; j < w->to->first_of_ring[r + 1]; j++) {
-            double stay = last[j] + MT_WAIT_PRICE;
-            cost[j] = (stay < both ? stay : both) + (double)w->price[j];
-            how[j] = stay < both ? STAY : BOTH;
-            both = last[j];
-        }
+    for (int j = stretch->first; j < stretch->end; j++) {
+        double stay = last[j] + MT_WAIT_PRICE;
+        cost[j] = (stay < both ? stay : both) + (double)w->price[j];
+        how[j] = stay < both ? STAY : BOTH;
+        both = last[j];
     }
-    settle_row(w, cost, how);
+}
+
+static void next_row(mt_walker *w, int i) {
+    look_around(w, i);
+    for (int s = 0; s < stretch_count(w); s++)
+        if (w->seen[i % 2][s]) go_on_to(w, i, &w->stretches[s]);
+    settle_row(w, i);
 }
 
 /* ---- a lap ------------------------------------------------------------------------------------------------------- */
 
 /* Fills the table for once around the ring, from any stop of the border, or from `there` when it is not -1. */
 static void fill(mt_walker *w, int there) {
-    price_row(w, 0);
+    shut_eyes(w);
+    look_around(w, 0);
     for (int j = 0; j < w->to->count; j++) {
         w->cost[0][j] = there < 0 || there == j ? (double)w->price[j] : INFINITY;
         row_of(w, 0)[j] = START;
     }
-    settle_row(w, w->cost[0], row_of(w, 0));
+    settle_row(w, 0);
     for (int i = 1; i <= w->n; i++) next_row(w, i);
 }
 
@@ -143,6 +221,15 @@ static int cheapest_end(const mt_walker *w) {
     for (int j = 1; j < w->to->count; j++)
         if (cost[j] < cost[best]) best = j;
     return best;
+}
+
+/* The end of a lap, from any stop when `there` is -1, with as much in sight as it takes. */
+static int walk_lap(mt_walker *w, int there) {
+    for (;; w->sight *= 2) {
+        fill(w, there);
+        int end = there < 0 ? cheapest_end(w) : there;
+        if (w->cost[w->n % 2][end] < INFINITY) return end;
+    }
 }
 
 /* Reads the way back from the end; writes it when there is room, and returns how many paces it has. */
@@ -159,6 +246,8 @@ static int read_back(const mt_walker *w, int end, mt_pace *paces, int room) {
         if (how >= BRIDGE) j = w->source[how - BRIDGE];
     }
 }
+
+/* ---- getting ready ----------------------------------------------------------------------------------------------- */
 
 /* The rings of the border as chains of stops. */
 static void chain_stops(mt_walker *w) {
@@ -184,6 +273,45 @@ static void list_open_bridges(mt_walker *w) {
     w->first_open[w->to->count] = open;
 }
 
+static mt_stretch stretch_of(const mt_walker *w, int first, int end) {
+    mt_stretch made = {first, end, 0, INFINITY, INFINITY, -INFINITY, -INFINITY};
+    for (int j = first; j < end; j++) {
+        const mt_view *view = &w->to->views[j];
+        made.low_x = fmin(made.low_x, view->x);
+        made.low_y = fmin(made.low_y, view->y);
+        made.high_x = fmax(made.high_x, view->x);
+        made.high_y = fmax(made.high_y, view->y);
+    }
+    return made;
+}
+
+static void list_stretches(mt_walker *w) {
+    int made = 0, gate = 0;
+    for (int r = 0; r < w->to->ring_count; r++) {
+        int high = w->to->first_of_ring[r + 1];
+        w->first_stretch[r] = made;
+        for (int j = w->to->first_of_ring[r]; j < high; j += STRETCH_STOPS) {
+            mt_stretch *stretch = &w->stretches[made++];
+            *stretch = stretch_of(w, j, j + STRETCH_STOPS < high ? j + STRETCH_STOPS : high);
+            stretch->gate = gate;
+            while (gate < w->gate_count && w->gates[gate] < stretch->end) gate++;
+        }
+    }
+    w->first_stretch[w->to->ring_count] = made;
+    w->stretches[made].gate = gate;
+}
+
+static mt_status make_stretches(mt_walker *w, mt_arena *arena) {
+    size_t rings = (size_t)w->to->ring_count, most = (size_t)w->to->count / STRETCH_STOPS + rings + 1;
+    w->stretches = mt_arena_new(arena, most, sizeof *w->stretches);
+    w->first_stretch = mt_arena_new(arena, rings + 1, sizeof *w->first_stretch);
+    w->seen[0] = mt_arena_new(arena, 2 * most, sizeof(bool));
+    if (!w->stretches || !w->first_stretch || !w->seen[0]) return MT_NO_MEMORY;
+    w->seen[1] = w->seen[0] + most;
+    list_stretches(w);
+    return MT_OK;
+}
+
 static mt_status fill_columns(mt_walker *w, mt_arena *arena) {
     size_t m = (size_t)w->to->count;
     double *room = mt_arena_new(arena, 6 * m, sizeof *room);
@@ -202,9 +330,10 @@ static mt_status fill_columns(mt_walker *w, mt_arena *arena) {
     return MT_OK;
 }
 
-static mt_status start_walker(const mt_border *from, int ring, const mt_border *to, mt_arena *arena,
-                              mt_walker *w) {
-    *w = (mt_walker){.from = from, .to = to, .first = from->first_of_ring[ring]};
+static mt_status start_walker(const mt_border *from, int ring, const mt_border *to, const mt_tariff *tariff,
+                              mt_arena *arena, mt_walker *w) {
+    *w = (mt_walker){
+        .from = from, .to = to, .tariff = *tariff, .first = from->first_of_ring[ring], .sight = SIGHT};
     w->n = from->first_of_ring[ring + 1] - w->first;
     size_t m = (size_t)to->count, cells = ((size_t)w->n + 1) * m,
            bridges = (size_t)to->first_bridge[to->count];
@@ -225,7 +354,8 @@ static mt_status start_walker(const mt_border *from, int ring, const mt_border *
     w->cost[1] = w->cost[0] + m;
     chain_stops(w);
     list_open_bridges(w);
-    return fill_columns(w, arena);
+    mt_status status = make_stretches(w, arena);
+    return status == MT_OK ? fill_columns(w, arena) : status;
 }
 
 /* The surest pace of a walk: where the two stops are most alike. */
@@ -233,7 +363,7 @@ static mt_pace surest(const mt_walker *w, const mt_pace *paces, int count) {
     mt_pace best = paces[0];
     double least = INFINITY;
     for (int k = 0; k < count; k++) {
-        double price = mt_price(&tariff, &w->from->views[paces[k].here], &w->to->views[paces[k].there]);
+        double price = mt_price(&w->tariff, &w->from->views[paces[k].here], &w->to->views[paces[k].there]);
         if (price >= least) continue;
         least = price;
         best = paces[k];
@@ -241,19 +371,19 @@ static mt_pace surest(const mt_walker *w, const mt_pace *paces, int count) {
     return best;
 }
 
-mt_status mt_walk_around(const mt_border *from, int ring, const mt_border *to, mt_arena *arena,
-                         mt_walk *walk) {
+mt_status mt_walk_around(const mt_border *from, int ring, const mt_border *to, const mt_tariff *tariff,
+                         mt_arena *arena, mt_walk *walk) {
     mt_walker w;
-    mt_status status = start_walker(from, ring, to, arena, &w);
+    mt_status status = start_walker(from, ring, to, tariff, arena, &w);
     if (status != MT_OK) return status;
-    fill(&w, -1); /* an open walk, to learn where a closed one may start */
-    int end = cheapest_end(&w), count = read_back(&w, end, NULL, 0);
+    int end = walk_lap(&w, -1),
+        count = read_back(&w, end, NULL, 0); /* to learn where a closed one may start */
     mt_pace *paces = mt_arena_new(arena, (size_t)count, sizeof *paces);
     if (!paces) return MT_NO_MEMORY;
     read_back(&w, end, paces, count);
     mt_pace start = surest(&w, paces, count);
     w.start = start.here - w.first;
-    fill(&w, start.there);
+    walk_lap(&w, start.there);
     *walk = (mt_walk){.count = read_back(&w, start.there, NULL, 0)};
     walk->price = w.cost[w.n % 2][start.there] / walk->count;
     walk->paces = mt_arena_new(arena, (size_t)walk->count, sizeof *walk->paces);

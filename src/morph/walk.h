@@ -16,9 +16,9 @@ typedef struct mt_walk {
     double price; /* the mean of what its paces cost */
 } mt_walk;
 
-/* The cheapest closed walk once around ring `ring` of `from` on the border of `to`, by dynamic programming. O(n m) for n stops of
- * the ring and m of the border. MT_NO_MEMORY, MT_TOO_LARGE. */
-mt_status mt_walk_around(const mt_border *from, int ring, const mt_border *to, mt_arena *arena,
-                         mt_walk *walk);
+/* The cheapest closed walk once around ring `ring` of `from` on the border of `to`, by dynamic programming over what is in sight of
+ * each stop; the tariff's corners do not count. O(n m) for n stops of the ring and m of the border. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_walk_around(const mt_border *from, int ring, const mt_border *to, const mt_tariff *tariff,
+                         mt_arena *arena, mt_walk *walk);
 
 #endif

@@ -11,6 +11,7 @@
 #define MT_REPORT_H
 
 #include "font/pair.h"
+#include "morph/census.h"
 #include "morphotype.h"
 #include "render/buffer.h"
 
@@ -22,11 +23,6 @@
 
 /* ---- limits ---------------------------------------------------------------------------------------------- */
 
-/* A component or a hole of a smaller area is a crumb, in square thousandths of the em: a fifth of a pixel at
- * 100 pixels an em, where nobody sees a part of its own. The dots of a light face's i have 4000. */
-#define MT_REPORT_CRUMB 20.0
-/* How far the ink may leave the range of the ends' before it is flagged, relative to the larger end. */
-#define MT_REPORT_INK 0.03
 /* The half-way outline may have so many times the points of the end with more, and so many besides, which
  * glyphs of few points need for serifs that only one end has. */
 #define MT_REPORT_POINTS_TIMES 2
@@ -65,13 +61,6 @@ typedef enum mt_report_flag {
     MT_FLAG_ALL = 127,
 } mt_report_flag;
 
-/* The ink of one outline. Rings that are seams (MT_SEAM_WIDTH) count as nothing. */
-typedef struct mt_report_ink {
-    int components, holes; /* without crumbs */
-    int crumbs;
-    double area; /* em² */
-} mt_report_ink;
-
 /* How an outline is drawn. */
 typedef struct mt_report_drawing {
     int points;  /* as 'glyf' has them */
@@ -83,8 +72,8 @@ typedef struct mt_report_glyph {
     uint32_t code_point; /* the first character that it stands for */
     mt_status status;    /* other than MT_OK: all that follows but flags and severity is 0 */
     mt_report_method method;
-    mt_report_ink ink_a, ink_b; /* as the fonts draw them */
-    mt_report_ink ink[MT_REPORT_STEPS];
+    mt_census ink_a, ink_b; /* as the fonts draw them */
+    mt_census ink[MT_REPORT_STEPS];
     mt_report_drawing drawing_a, drawing_b, drawing_half; /* a's and b's fitted by themselves */
     unsigned flags;
     double severity; /* 0 without a flag */
@@ -99,16 +88,13 @@ mt_status mt_report_measure(const mt_glyph_pair *pair, const mt_params *params, 
                             mt_report_glyph *glyph);
 /* The place of a step, 0 … MT_REPORT_STEPS - 1. */
 double mt_report_t(int step);
-/* The ink of one shape. */
-mt_report_ink mt_report_ink_of(const mt_shape *shape);
 /* The corners of an outline; leaves its points as they are. */
 void mt_report_count_corners(const mt_outline *outline, mt_report_drawing *drawing);
 
 /* Sets flags and severity: the sum, over what is flagged, of each excess relative to its limit. */
 void mt_report_judge(mt_report_glyph *glyph);
 
-/* How far a place's counts or ink are out of the range of the ends': 0 within it, and > 0 outside. */
-int mt_report_excess(int count, int a, int b);
+/* How far a place's ink is out of the range of the ends': 0 within it, and > 0 outside. */
 double mt_report_ink_excess(const mt_report_glyph *glyph, int step); /* relative to the larger end */
 /* The largest deviation of the ink from the straight line between the ends, relative to the larger end; with
  * its sign. */

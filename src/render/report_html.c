@@ -2,6 +2,7 @@
 #include "font/font.h"
 #include "font/utf.h"
 #include "font/workers.h"
+#include "geometry/limits.h"
 #include "render/report.h"
 
 #include <inttypes.h>
@@ -180,7 +181,7 @@ static void put_legend(mt_page *page) {
                "ends’, ink when it leaves it by more than %d %% of the larger end, the half-way outline’s "
                "points over "
                "%d × those of the end with more + %d. ",
-               MT_REPORT_STEPS, (int)lround(100 * MT_REPORT_INK), MT_REPORT_POINTS_TIMES,
+               MT_REPORT_STEPS, (int)lround(100 * MT_INK_EXCESS), MT_REPORT_POINTS_TIMES,
                MT_REPORT_POINTS_MORE);
     put_format(
         page,
@@ -188,7 +189,7 @@ static void put_legend(mt_page *page) {
         "points. "
         "Crumbs are components and holes under %d square thousandths of the em; they count as nothing else. ",
         (int)MT_REPORT_KINK_MIN, (int)MT_REPORT_KINK_MAX, MT_REPORT_KINKS, MT_REPORT_KINKS_POINTS,
-        (int)MT_REPORT_CRUMB);
+        (int)MT_CRUMB);
     put(page,
         "Counts read: first font / least–most in between / second font. Bend is the ink’s largest distance "
         "from the straight line between the ends.</small></p>\n");

@@ -2,6 +2,7 @@
 #include "font/font.h"
 #include "font/utf.h"
 #include "render/json.h"
+#include "geometry/limits.h"
 #include "render/report.h"
 
 static void add_font(mt_json *json, const char *key, const mt_font *font) {
@@ -24,8 +25,8 @@ static void add_heading(mt_json *json, const mt_report *report) {
     for (int i = 0; i < MT_REPORT_STEPS; i++) mt_json_number(json, NULL, mt_report_t(i));
     mt_json_array_end(json);
     mt_json_object(json, "limits");
-    mt_json_number(json, "crumb", MT_REPORT_CRUMB);
-    mt_json_number(json, "ink", MT_REPORT_INK);
+    mt_json_number(json, "crumb", MT_CRUMB);
+    mt_json_number(json, "ink", MT_INK_EXCESS);
     mt_json_int(json, "points_times", MT_REPORT_POINTS_TIMES);
     mt_json_int(json, "points_more", MT_REPORT_POINTS_MORE);
     mt_json_int(json, "kinks", MT_REPORT_KINKS);
@@ -62,7 +63,7 @@ static void add_flags(mt_json *json, const mt_report_glyph *glyph) {
     mt_json_array_end(json);
 }
 
-static void add_ink(mt_json *json, const mt_report_ink *ink) {
+static void add_ink(mt_json *json, const mt_census *ink) {
     mt_json_int(json, "components", ink->components);
     mt_json_int(json, "holes", ink->holes);
     mt_json_int(json, "crumbs", ink->crumbs);
@@ -75,8 +76,7 @@ static void add_drawing(mt_json *json, const mt_report_drawing *drawing) {
     mt_json_int(json, "slight_corners", drawing->slight);
 }
 
-static void add_end(mt_json *json, const char *key, const mt_report_ink *ink,
-                    const mt_report_drawing *drawing) {
+static void add_end(mt_json *json, const char *key, const mt_census *ink, const mt_report_drawing *drawing) {
     mt_json_one_line(json);
     mt_json_object(json, key);
     add_ink(json, ink);

@@ -1,4 +1,5 @@
 /* Which figures of a glyph are out of their limits: in numbers, to sort by, and in words. */
+#include "geometry/limits.h"
 #include "render/report.h"
 
 #include <inttypes.h>
@@ -12,19 +13,12 @@
 
 /* ---- excesses ------------------------------------------------------------------------------------------ */
 
-int mt_report_excess(int count, int a, int b) {
-    int least = a < b ? a : b, most = a < b ? b : a;
-    return count > most ? count - most : count < least ? least - count : 0;
-}
-
 static double larger_ink(const mt_report_glyph *glyph) {
     return fmax(glyph->ink_a.area, glyph->ink_b.area);
 }
 
 double mt_report_ink_excess(const mt_report_glyph *glyph, int step) {
-    double area = glyph->ink[step].area, most = larger_ink(glyph),
-           least = fmin(glyph->ink_a.area, glyph->ink_b.area);
-    return most > 0 ? fmax(0, fmax(area - most, least - area)) / most : 0;
+    return mt_area_excess(glyph->ink[step].area, glyph->ink_a.area, glyph->ink_b.area);
 }
 
 double mt_report_ink_bend(const mt_report_glyph *glyph) {
@@ -62,10 +56,10 @@ int mt_report_points_limit(const mt_report_glyph *glyph) {
 
 /* How far one of the counts at a place is out of the ends' range. */
 static double excess_at(const mt_report_glyph *glyph, mt_report_flag flag, int step) {
-    const mt_report_ink *a = &glyph->ink_a, *b = &glyph->ink_b, *at = &glyph->ink[step];
+    const mt_census *a = &glyph->ink_a, *b = &glyph->ink_b, *at = &glyph->ink[step];
     switch (flag) {
-    case MT_FLAG_COMPONENTS: return mt_report_excess(at->components, a->components, b->components);
-    case MT_FLAG_HOLES: return mt_report_excess(at->holes, a->holes, b->holes);
+    case MT_FLAG_COMPONENTS: return mt_count_excess(at->components, a->components, b->components);
+    case MT_FLAG_HOLES: return mt_count_excess(at->holes, a->holes, b->holes);
     case MT_FLAG_CRUMBS: return fmax(0, at->crumbs - fmax(a->crumbs, b->crumbs));
     default: return mt_report_ink_excess(glyph, step);
     }
@@ -97,7 +91,7 @@ static double weigh(const mt_report_glyph *glyph, mt_report_flag flag) {
     case MT_FLAG_COMPONENTS:
     case MT_FLAG_HOLES: return worst_excess(glyph, flag);
     case MT_FLAG_CRUMBS: return worst_excess(glyph, flag) / CRUMBS_PER_PART;
-    case MT_FLAG_INK: return over(worst_excess(glyph, flag), MT_REPORT_INK);
+    case MT_FLAG_INK: return over(worst_excess(glyph, flag), MT_INK_EXCESS);
     case MT_FLAG_POINTS: return over(glyph->drawing_half.points, mt_report_points_limit(glyph));
     default: return over(mt_report_kinks(glyph), mt_report_kinks_limit(glyph));
     }
@@ -154,7 +148,7 @@ static void say_ink(const mt_report_glyph *glyph, char *text) {
 
 void mt_report_reason(const mt_report_glyph *glyph, mt_report_flag flag, char text[MT_REPORT_REASON_ROOM]) {
     int step = worst_step(glyph, flag);
-    const mt_report_ink *a = &glyph->ink_a, *b = &glyph->ink_b, *at = &glyph->ink[step];
+    const mt_census *a = &glyph->ink_a, *b = &glyph->ink_b, *at = &glyph->ink[step];
     const mt_report_drawing *p = &glyph->drawing_a, *q = &glyph->drawing_b, *half = &glyph->drawing_half;
     switch (flag) {
     case MT_FLAG_FAILED: snprintf(text, MT_REPORT_REASON_ROOM, "%s", mt_status_text(glyph->status)); break;

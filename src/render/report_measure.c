@@ -11,44 +11,14 @@ double mt_report_t(int step) {
 
 /* ---- ink ----------------------------------------------------------------------------------------------- */
 
-/* Twice an area in grid units squared, in square thousandths of the em. */
-static double thousandths(int64_t area2) {
-    return (double)area2 / 2 / (MT_EM / 1000.0) / (MT_EM / 1000.0);
-}
-
-static bool is_seam(const mt_ring *ring) {
-    return fabs((double)mt_ring_area2(ring)) < MT_SEAM_WIDTH * mt_ring_length(ring);
-}
-
-static void count_part(int64_t area2, int *parts, int *crumbs) {
-    if (thousandths(area2) >= MT_REPORT_CRUMB)
-        ++*parts;
-    else
-        ++*crumbs;
-}
-
-mt_report_ink mt_report_ink_of(const mt_shape *shape) {
-    mt_report_ink ink = {.area = thousandths(mt_shape_area2(shape)) / 1e6};
-    for (int k = 0; k < shape->count; k++) {
-        const mt_component *component = &shape->components[k];
-        if (!is_seam(&component->rings[0]))
-            count_part(mt_component_area2(component), &ink.components, &ink.crumbs);
-        for (int i = 1; i < component->count; i++)
-            if (!is_seam(&component->rings[i]))
-                count_part(-mt_ring_area2(&component->rings[i]), &ink.holes, &ink.crumbs);
-    }
-    return ink;
-}
-
 /* Chords may touch where the curves do not: what is not clean is looked at again, more finely. */
-static mt_status measure_ink(const mt_outline *outline, double tolerance, mt_arena *arena,
-                             mt_report_ink *ink) {
+static mt_status measure_ink(const mt_outline *outline, double tolerance, mt_arena *arena, mt_census *ink) {
     mt_shape shape;
     bool clean;
     mt_status status = mt_outline_resolve(outline, tolerance, arena, &shape, &clean);
     if (status == MT_OK && !clean)
         status = mt_outline_resolve(outline, tolerance / MT_OVERLAP_CARE, arena, &shape, &clean);
-    if (status == MT_OK) *ink = mt_report_ink_of(&shape);
+    if (status == MT_OK) *ink = mt_census_of(&shape);
     return status;
 }
 
@@ -122,11 +92,11 @@ static mt_status measure_drawing(const mt_outline *outline, int units, mt_arena 
 }
 
 static mt_status measure_end(const mt_shape *shape, const mt_params *params, int units, mt_arena *arena,
-                             mt_report_ink *ink, mt_report_drawing *drawing) {
+                             mt_census *ink, mt_report_drawing *drawing) {
     mt_outline outline;
     mt_status status = mt_shape_outline(shape, params, arena, &outline);
     if (status == MT_OK) status = measure_drawing(&outline, units, arena, drawing);
-    if (status == MT_OK) *ink = mt_report_ink_of(shape);
+    if (status == MT_OK) *ink = mt_census_of(shape);
     return status;
 }
 

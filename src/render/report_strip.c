@@ -60,10 +60,10 @@ static mt_box view_of(const mt_glyph_pair *pair) {
 }
 
 static bool is_off(const mt_report_glyph *glyph, int step) {
-    const mt_report_ink *a = &glyph->ink_a, *b = &glyph->ink_b, *at = &glyph->ink[step];
-    return mt_report_excess(at->components, a->components, b->components) ||
-           mt_report_excess(at->holes, a->holes, b->holes) ||
-           mt_report_ink_excess(glyph, step) > MT_REPORT_INK;
+    const mt_census *a = &glyph->ink_a, *b = &glyph->ink_b, *at = &glyph->ink[step];
+    return mt_count_excess(at->components, a->components, b->components) ||
+           mt_count_excess(at->holes, a->holes, b->holes) ||
+           mt_report_ink_excess(glyph, step) > MT_INK_EXCESS;
 }
 
 static void put_picture(mt_pen *pen, mt_box view, bool off, const mt_outline *outline) {

@@ -35,7 +35,8 @@ static mt_stops stops_of(const mt_ring *ring, double step) {
 
 static mt_alignment aligned(const mt_ring *a, const mt_stops *in_a, const mt_ring *b, const mt_stops *in_b) {
     mt_alignment alignment;
-    mt_assert_ok(mt_align(in_a, mt_ring_box(a), in_b, mt_ring_box(b), &(mt_links){0}, &arena, &alignment));
+    mt_assert_ok(mt_align(in_a, mt_ring_box(a), in_b, mt_ring_box(b), &(mt_tariff){3, 4, 1}, &(mt_links){0},
+                          &arena, &alignment));
     return alignment;
 }
 

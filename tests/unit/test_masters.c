@@ -35,7 +35,8 @@ static mt_masters masters_of(const side *a, const side *b, double tolerance) {
     mt_alignment alignment;
     mt_masters masters;
     mt_assert_ok(mt_align(&a->stops, mt_ring_box(&a->rings.rings[0]), &b->stops,
-                          mt_ring_box(&b->rings.rings[0]), &(mt_links){0}, &arena, &alignment));
+                          mt_ring_box(&b->rings.rings[0]), &(mt_tariff){3, 4, 1}, &(mt_links){0}, &arena,
+                          &alignment));
     mt_assert_ok(mt_masters_fit(&a->stops, &b->stops, &alignment, tolerance, &arena, &masters));
     return masters;
 }
@@ -96,7 +97,7 @@ static void mixes(void **state) {
     (void)state;
     mt_segment one[] = {{1, {{0}}, {0, 0}}, {2, {{100, 0}}, {100, 100}}},
                other[] = {{1, {{0}}, {40, 80}}, {2, {{80, 0}}, {0, 0}}};
-    mt_masters masters = {{2, one}, {2, other}};
+    mt_masters masters = {.a = {2, one}, .b = {2, other}};
     mt_contour contour = mixed(&masters, 0.25);
     assert_int_equal(contour.count, 2);
     assert_true(contour.segments[0].degree == 1 && contour.segments[1].degree == 2);

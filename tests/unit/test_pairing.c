@@ -10,6 +10,7 @@ enum { UNIT = MT_EM / 1000, CHORD = MT_EM / 2000, MOST = 8 };
 #define ANY 1e9 /* a price that nothing costs */
 
 static mt_arena arena;
+static const mt_manner manner = {.chord = CHORD, .align = {3, 4, 1}};
 
 static int tear_down(void **state) {
     (void)state;
@@ -37,8 +38,8 @@ static mt_ring_list list_of(mt_ring *rings, int count, mt_box box) {
 static void pair(const mt_ring_list *a, const mt_ring_list *b, double most, int *in_a, int *in_b) {
     int back_b[MOST], back_a[MOST];
     for (int i = 0; i < MOST; i++) in_a[i] = in_b[i] = back_a[i] = back_b[i] = -1;
-    mt_assert_ok(mt_pair_rings(a, b, most, CHORD, &arena, in_a, in_b));
-    mt_assert_ok(mt_pair_rings(b, a, most, CHORD, &arena, back_b, back_a));
+    mt_assert_ok(mt_pair_rings(a, b, most, &manner, &arena, in_a, in_b));
+    mt_assert_ok(mt_pair_rings(b, a, most, &manner, &arena, back_b, back_a));
     for (int i = 0; i < a->count; i++) {
         assert_in_range(in_a[i] + 1, 0, b->count);
         if (in_a[i] >= 0) assert_int_equal(in_b[in_a[i]], i);
@@ -52,7 +53,7 @@ static void pair(const mt_ring_list *a, const mt_ring_list *b, double most, int 
 
 static double price_of(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q) {
     double price = -1;
-    mt_assert_ok(mt_pair_price(p, box_p, q, box_q, CHORD, &arena, &price));
+    mt_assert_ok(mt_pair_price(p, box_p, q, box_q, &manner, &arena, &price));
     return price;
 }
 
@@ -137,7 +138,7 @@ static void given_pairs_are_kept(void **state) {
     mt_ring a[3] = {block(0, 0, 200, 900), block(400, 0, 200, 900), block(800, 0, 200, 900)};
     mt_ring_list list = list_of(a, 3, glyph_box(1000, 900));
     int partner_a[] = {-1, -1, 0}, partner_b[] = {2, -1, -1};
-    mt_assert_ok(mt_pair_rings(&list, &list, 0.1, CHORD, &arena, partner_a, partner_b));
+    mt_assert_ok(mt_pair_rings(&list, &list, 0.1, &manner, &arena, partner_a, partner_b));
     assert_true(partner_a[0] == -1 && partner_a[1] == 1 && partner_a[2] == 0);
     assert_true(partner_b[0] == 2 && partner_b[1] == 1 && partner_b[2] == -1);
 }

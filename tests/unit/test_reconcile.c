@@ -32,7 +32,8 @@ static void reconcile(mt_shape a, mt_shape b, mt_cut_side *cut_a, mt_cut_side *c
     mt_side in_a = side_of(a), in_b = side_of(b);
     const mt_hints none = {0};
     mt_params params = mt_params_default();
-    mt_assert_ok(mt_reconcile(&in_a, &in_b, &none, &params, &arena, cut_a, cut_b));
+    mt_manner manner = mt_manner_at(0, &params);
+    mt_assert_ok(mt_reconcile(&in_a, &in_b, &none, &manner, &arena, cut_a, cut_b));
 }
 
 /* Partners are mutual; shares are components, outer ring first. */

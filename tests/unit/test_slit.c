@@ -11,6 +11,7 @@
 enum { UNIT = MT_EM / 1000, CHORD = MT_EM / 2000 };
 
 static mt_arena arena;
+static const mt_manner manner = {.chord = CHORD, .align = {3, 4, 1}, .step = 12, .leaps = true};
 
 static int tear_down(void **state) {
     (void)state;
@@ -49,7 +50,7 @@ static mt_status slit(const mt_component *component, const mt_ring **counterpart
                       bool *done) {
     mt_box box = {{0, 0}, {600 * UNIT, 600 * UNIT}};
     mt_slit_case in = {component, box, counterpart, box};
-    return mt_slit(&in, 1, CHORD, &arena, opened, done);
+    return mt_slit(&in, 1, &manner, &arena, opened, done);
 }
 
 /* The middle of the slit: the points that a ring has twice. */
@@ -141,7 +142,7 @@ static void not_through_wide_ink(void **state) {
     const mt_ring *counterpart[] = {&open, NULL};
     mt_slit_case in = {&component, box, counterpart, box};
     bool done = true;
-    mt_assert_ok(mt_slit(&in, 1, CHORD, &arena, &opened, &done));
+    mt_assert_ok(mt_slit(&in, 1, &manner, &arena, &opened, &done));
     assert_false(done);
 }
 
@@ -197,8 +198,7 @@ static void both_sides_of_a_slit_are_alike(void **state) {
         mt_subject subject = {"both_sides_of_a_slit_are_alike", n, {&component}};
         mt_shape whole = mt_test_shape_of(&arena, &component), shares;
         mt_border border;
-        mt_require(mt_border_of(&whole, mt_shape_box(&whole), CHORD, 12 * UNIT, 300 * UNIT, &arena,
-                                &border) == MT_OK,
+        mt_require(mt_border_of(&whole, mt_shape_box(&whole), &manner, 300 * UNIT, &arena, &border) == MT_OK,
                    &subject);
         size_t triangles = (size_t)border.meshes[0].triangle_count;
         bool *cut = mt_arena_new(&arena, 3 * triangles, sizeof *cut);

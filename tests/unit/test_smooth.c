@@ -56,7 +56,7 @@ static void a_node_on_a_line_follows_the_curve(void **state) {
     (void)state;
     for (int share = 10; share <= 130; share += 40) {
         mt_segment in_a[SEGMENTS], in_b[SEGMENTS];
-        mt_masters masters = {bracketed(400, in_a), leaning(share, in_b)};
+        mt_masters masters = {.a = bracketed(400, in_a), .b = leaning(share, in_b)};
         double before = turn_between(&masters, 0.5);
         mt_assert_ok(mt_masters_smooth(&masters, UNIT, &arena));
         assert_true(before > 0.5);
@@ -72,7 +72,8 @@ static void a_node_on_a_line_follows_the_curve(void **state) {
 static void either_way_round(void **state) {
     (void)state;
     mt_segment p[SEGMENTS], q[SEGMENTS], r[SEGMENTS], s[SEGMENTS];
-    mt_masters one = {bracketed(350, p), leaning(40, q)}, other = {leaning(40, r), bracketed(350, s)};
+    mt_masters one = {.a = bracketed(350, p), .b = leaning(40, q)},
+               other = {.a = leaning(40, r), .b = bracketed(350, s)};
     mt_assert_ok(mt_masters_smooth(&one, UNIT, &arena));
     mt_assert_ok(mt_masters_smooth(&other, UNIT, &arena));
     for (int i = 0; i < SEGMENTS; i++) {
@@ -85,7 +86,7 @@ static void either_way_round(void **state) {
 static void corners_stay(void **state) {
     (void)state;
     mt_segment in_a[SEGMENTS], in_b[SEGMENTS];
-    mt_masters masters = {bracketed(400, in_a), leaning(100, in_b)};
+    mt_masters masters = {.a = bracketed(400, in_a), .b = leaning(100, in_b)};
     in_b[1] = line_to(20, 300);
     mt_assert_ok(mt_masters_smooth(&masters, UNIT, &arena));
     assert_true(mt_point_equal(masters.b.segments[1].end, line_to(20, 300).end));
@@ -96,7 +97,7 @@ static void corners_stay(void **state) {
 static void no_master_is_bent(void **state) {
     (void)state;
     mt_segment in_a[SEGMENTS], in_b[SEGMENTS];
-    mt_masters masters = {bracketed(400, in_a), bracketed(400, in_b)};
+    mt_masters masters = {.a = bracketed(400, in_a), .b = bracketed(400, in_b)};
     in_a[1] = curve_to(40, 150, 40, 300);
     in_a[2] = curve_to(40, 500, 300, 500);
     in_b[1] = curve_to(100, 0, 200, 100);

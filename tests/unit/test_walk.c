@@ -9,6 +9,7 @@
 enum { UNIT = MT_EM / 1000, CHORD = MT_EM / 2000 };
 
 static mt_arena arena;
+static const mt_manner manner = {.chord = CHORD, .walk = {1, 4, 0}, .step = 12, .leaps = true};
 static mt_corpus corpus;
 
 static int set_up(void **state) {
@@ -26,13 +27,13 @@ static int tear_down(void **state) {
 /* A shape's border in its own box, stops 12/1000 em apart, bridges up to 300/1000. */
 static mt_border border_of(const mt_shape *shape) {
     mt_border border;
-    mt_assert_ok(mt_border_of(shape, mt_shape_box(shape), CHORD, 12 * UNIT, 300 * UNIT, &arena, &border));
+    mt_assert_ok(mt_border_of(shape, mt_shape_box(shape), &manner, 300 * UNIT, &arena, &border));
     return border;
 }
 
 static mt_walk walk_around(const mt_border *from, int ring, const mt_border *to) {
     mt_walk walk;
-    mt_assert_ok(mt_walk_around(from, ring, to, &arena, &walk));
+    mt_assert_ok(mt_walk_around(from, ring, to, &manner.walk, &arena, &walk));
     return walk;
 }
 

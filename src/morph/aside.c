@@ -1,0 +1,188 @@
+#include "morph/aside.h"
+
+#include <math.h>
+
+#include "geometry/limits.h"
+#include "geometry/union.h"
+#include "morph/masters.h"
+#include "morph/place.h"
+
+/* How far contours may stand aside half-way, 1/1000 em: the least first. More would be seen. */
+static const double distances[] = {2, 4, 8, 16, 32};
+enum { DISTANCES = sizeof distances / sizeof *distances, DIRECTIONS = 8 };
+
+/* Contours in clusters: those whose components are one at either end have to stay together. */
+typedef struct mt_clusters {
+    const mt_morph *morph;
+    int *of;       /* each contour's, numbered by its first contour */
+    double *area;  /* of each cluster, half-way, grid units squared */
+    mt_box *boxes; /* of each cluster, on all of its way */
+} mt_clusters;
+
+/* ---- clusters ------------------------------------------------------------------------------------------------ */
+
+static int home_of(const mt_side *side, const mt_contour *contour) {
+    return mt_component_at(&side->whole, contour->segments[0].end);
+}
+
+static void unite(int *of, int count, int i, int k) {
+    int low = of[i] < of[k] ? of[i] : of[k], high = of[i] < of[k] ? of[k] : of[i];
+    for (int c = 0; c < count; c++)
+        if (of[c] == high) of[c] = low;
+}
+
+static double area_half_way(const mt_masters *m) {
+    double area = 0;
+    for (int i = 0; i < m->a.count; i++) {
+        const mt_segment *s = &m->a.segments[i], *t = &m->b.segments[i],
+                         *u = &m->a.segments[(i + 1) % m->a.count], *v = &m->b.segments[(i + 1) % m->a.count];
+        double px = s->end.x / 2.0 + t->end.x / 2.0, py = s->end.y / 2.0 + t->end.y / 2.0,
+               qx = u->end.x / 2.0 + v->end.x / 2.0, qy = u->end.y / 2.0 + v->end.y / 2.0;
+        area += (px * qy - py * qx) / 2;
+    }
+    return area;
+}
+
+static mt_box around(mt_box p, mt_box q) {
+    return (mt_box){{p.min.x < q.min.x ? p.min.x : q.min.x, p.min.y < q.min.y ? p.min.y : q.min.y},
+                    {p.max.x > q.max.x ? p.max.x : q.max.x, p.max.y > q.max.y ? p.max.y : q.max.y}};
+}
+
+static bool meet(mt_box p, mt_box q) {
+    return p.min.x <= q.max.x && q.min.x <= p.max.x && p.min.y <= q.max.y && q.min.y <= p.max.y;
+}
+
+static void stretch(mt_box *box, mt_point p) {
+    *box = around(*box, (mt_box){p, p});
+}
+
+/* What a contour stays within on its way, but for standing aside. */
+static mt_box way_box(const mt_masters *m) {
+    mt_box box = {m->a.segments[0].end, m->a.segments[0].end};
+    for (int s = 0; s < 2; s++) {
+        const mt_contour *contour = s == 0 ? &m->a : &m->b;
+        for (int i = 0; i < contour->count; i++) {
+            stretch(&box, contour->segments[i].end);
+            if (contour->segments[i].degree == 2) stretch(&box, contour->segments[i].control[0]);
+        }
+    }
+    return box;
+}
+
+static mt_status gather(const mt_morph *m, mt_arena *arena, mt_clusters *clusters) {
+    size_t count = (size_t)m->contour_count;
+    int *homes = mt_arena_new(arena, 2 * count, sizeof *homes);
+    *clusters =
+        (mt_clusters){m, mt_arena_new(arena, count, sizeof(int)), mt_arena_new(arena, count, sizeof(double)),
+                      mt_arena_new(arena, count, sizeof(mt_box))};
+    if (!homes || !clusters->of || !clusters->area || !clusters->boxes) return MT_NO_MEMORY;
+    for (int i = 0; i < m->contour_count; i++) {
+        homes[2 * i] = home_of(&m->a, &m->contours[i].a);
+        homes[2 * i + 1] = home_of(&m->b, &m->contours[i].b);
+        clusters->of[i] = i;
+        for (int k = 0; k < i; k++)
+            if (homes[2 * k] == homes[2 * i] || homes[2 * k + 1] == homes[2 * i + 1])
+                unite(clusters->of, i + 1, i, k);
+    }
+    for (int i = 0; i < m->contour_count; i++) clusters->boxes[i] = way_box(&m->contours[i]);
+    for (int i = 0; i < m->contour_count; i++) {
+        int head = clusters->of[i];
+        clusters->area[head] += area_half_way(&m->contours[i]);
+        clusters->boxes[head] = around(clusters->boxes[head], clusters->boxes[i]);
+    }
+    return MT_OK;
+}
+
+/* ---- where they touch ---------------------------------------------------------------------------------------- */
+
+/* The contours of one cluster, or of two, at one place: how many components they are. */
+static mt_status components_of(const mt_clusters *c, int one, int other, double t, double chord,
+                               mt_arena *arena, int *count) {
+    mt_outline outline = {0, mt_arena_new(arena, (size_t)c->morph->contour_count, sizeof(mt_contour))};
+    mt_rings rings;
+    mt_shape shape;
+    mt_status status = outline.contours ? MT_OK : MT_NO_MEMORY;
+    for (int i = 0; status == MT_OK && i < c->morph->contour_count; i++)
+        if (c->of[i] == one || c->of[i] == other)
+            status = mt_masters_mix(&c->morph->contours[i], mt_weights_at(t), arena,
+                                    &outline.contours[outline.count++]);
+    if (status == MT_OK) status = mt_flatten(&outline, chord, arena, &rings);
+    if (status == MT_OK) status = mt_union(&rings, arena, &shape);
+    if (status == MT_OK) *count = mt_census_of(&shape).components;
+    return status;
+}
+
+static mt_status touch_at(const mt_clusters *c, int p, int q, double t, double chord, mt_arena *arena,
+                          bool *touch) {
+    mt_arena_place before = mt_arena_mark(arena);
+    int alone = 0, beside = 0, together = 0;
+    mt_status status = components_of(c, p, p, t, chord, arena, &alone);
+    if (status == MT_OK) status = components_of(c, q, q, t, chord, arena, &beside);
+    if (status == MT_OK) status = components_of(c, p, q, t, chord, arena, &together);
+    *touch = together < alone + beside;
+    mt_arena_rewind(arena, before);
+    return status;
+}
+
+/* Whether two clusters touch at any place between the ends. */
+static mt_status do_touch(const mt_clusters *c, int p, int q, double chord, mt_arena *arena, bool *touch) {
+    mt_status status = MT_OK;
+    *touch = false;
+    if (!meet(c->boxes[p], c->boxes[q])) return MT_OK;
+    for (int i = 1; status == MT_OK && !*touch && i <= MT_CENSUS_STEPS; i++)
+        status = touch_at(c, p, q, (double)i / (MT_CENSUS_STEPS + 1), chord, arena, touch);
+    return status;
+}
+
+/* ---- making way ---------------------------------------------------------------------------------------------- */
+
+static void set_aside(const mt_clusters *c, int cluster, mt_point by) {
+    for (int i = 0; i < c->morph->contour_count; i++)
+        if (c->of[i] == cluster) c->morph->contours[i].aside = by;
+}
+
+static mt_point way(int distance, int direction) {
+    double angle = 2 * M_PI * direction / DIRECTIONS, length = mt_grid_units(distances[distance]);
+    return (mt_point){(int32_t)lround(length * cos(angle)), (int32_t)lround(length * sin(angle))};
+}
+
+/* Moves a cluster that touches another by as little as helps, unless it has moved: the two are apart then, and all of the glyph
+ * strays less. */
+static mt_status move_away(const mt_clusters *c, int cluster, int other, const mt_params *params,
+                           mt_arena *arena, mt_straying *by) {
+    if (!mt_point_equal(c->morph->contours[cluster].aside, (mt_point){0, 0})) return MT_OK;
+    for (int i = 0; i < DISTANCES; i++)
+        for (int k = 0; k < DIRECTIONS; k++) {
+            bool touch;
+            mt_straying tried = *by;
+            set_aside(c, cluster, way(i, k));
+            mt_status status = do_touch(c, cluster, other, mt_grid_units(params->tolerance), arena, &touch);
+            if (status == MT_OK && !touch) status = mt_morph_strays(c->morph, params, arena, &tried);
+            if (status != MT_OK) return status;
+            if (tried.parts >= by->parts) continue;
+            *by = tried;
+            return MT_OK;
+        }
+    set_aside(c, cluster, (mt_point){0, 0});
+    return MT_OK;
+}
+
+/* Parts two clusters, where they touch: the smaller makes way or, where that does not help, the larger. */
+static mt_status part(const mt_clusters *c, int p, int q, const mt_params *params, mt_arena *arena,
+                      mt_straying *by) {
+    bool touch;
+    mt_status status = do_touch(c, p, q, mt_grid_units(params->tolerance), arena, &touch);
+    if (status != MT_OK || !touch) return status;
+    int small = fabs(c->area[p]) <= fabs(c->area[q]) ? p : q, large = p + q - small, before = by->parts;
+    status = move_away(c, small, large, params, arena, by);
+    return status == MT_OK && by->parts == before ? move_away(c, large, small, params, arena, by) : status;
+}
+
+mt_status mt_stand_aside(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_straying *by) {
+    mt_clusters clusters;
+    mt_status status = gather(morph, arena, &clusters);
+    for (int q = 1; status == MT_OK && q < morph->contour_count; q++)
+        for (int p = 0; status == MT_OK && p < q && by->parts > 0; p++)
+            if (clusters.of[p] == p && clusters.of[q] == q) status = part(&clusters, p, q, params, arena, by);
+    return status;
+}

@@ -1,0 +1,83 @@
+#include "morph/census.h"
+
+#include <math.h>
+
+#include "geometry/limits.h"
+
+/* ---- one shape ------------------------------------------------------------------------------------------- */
+
+/* Twice an area in grid units squared, in square thousandths of the em. */
+static double thousandths(int64_t area2) {
+    return (double)area2 / 2 / (MT_EM / 1000.0) / (MT_EM / 1000.0);
+}
+
+static bool is_seam(const mt_ring *ring) {
+    return fabs((double)mt_ring_area2(ring)) < MT_SEAM_WIDTH * mt_ring_length(ring);
+}
+
+static void count_part(int64_t area2, int *parts, int *crumbs) {
+    if (thousandths(area2) >= MT_CRUMB)
+        ++*parts;
+    else
+        ++*crumbs;
+}
+
+mt_census mt_census_of(const mt_shape *shape) {
+    mt_census census = {.area = thousandths(mt_shape_area2(shape)) / 1e6};
+    for (int k = 0; k < shape->count; k++) {
+        const mt_component *component = &shape->components[k];
+        if (!is_seam(&component->rings[0]))
+            count_part(mt_component_area2(component), &census.components, &census.crumbs);
+        for (int i = 1; i < component->count; i++)
+            if (!is_seam(&component->rings[i]))
+                count_part(-mt_ring_area2(&component->rings[i]), &census.holes, &census.crumbs);
+    }
+    return census;
+}
+
+/* ---- on the way ------------------------------------------------------------------------------------------ */
+
+int mt_count_excess(int count, int a, int b) {
+    int least = a < b ? a : b, most = a < b ? b : a;
+    return count > most ? count - most : count < least ? least - count : 0;
+}
+
+double mt_area_excess(double area, double a, double b) {
+    double most = fmax(a, b), least = fmin(a, b);
+    return most > 0 ? fmax(0, fmax(area - most, least - area)) / most : 0;
+}
+
+/* At one place, flattened within the params' tolerance. */
+static mt_status stray_at(const mt_morph *morph, double t, const mt_params *params, mt_arena *arena,
+                          mt_straying *by) {
+    mt_census a = mt_census_of(&morph->a.whole), b = mt_census_of(&morph->b.whole);
+    mt_shape shape;
+    mt_arena_place before = mt_arena_mark(arena);
+    mt_status status = mt_morph_blend(morph, mt_weights_at(t), params, arena, &shape);
+    if (status == MT_OK) {
+        mt_census at = mt_census_of(&shape);
+        by->parts = mt_count_excess(at.components, a.components, b.components) +
+                    mt_count_excess(at.holes, a.holes, b.holes);
+        by->ink = mt_area_excess(at.area, a.area, b.area);
+    }
+    mt_arena_rewind(arena, before);
+    return status;
+}
+
+/* Chords may touch where the curves do not: what strays is looked at again, more finely. */
+mt_status mt_morph_strays(const mt_morph *morph, const mt_params *params, mt_arena *arena, mt_straying *by) {
+    mt_params fine = *params;
+    mt_status status = MT_OK;
+    mt_straying all = {0};
+    fine.tolerance /= MT_OVERLAP_CARE;
+    for (int i = 1; status == MT_OK && i <= MT_CENSUS_STEPS; i++) {
+        mt_straying here = {0};
+        double t = (double)i / (MT_CENSUS_STEPS + 1);
+        status = stray_at(morph, t, params, arena, &here);
+        if (status == MT_OK && here.parts > 0) status = stray_at(morph, t, &fine, arena, &here);
+        all.parts += here.parts;
+        all.ink = fmax(all.ink, here.ink);
+    }
+    if (status == MT_OK) *by = all;
+    return status;
+}
