@@ -85,17 +85,18 @@ static bool is_cut(const mt_lapping *lapping, const mt_masters *drawn, int i) {
     return false;
 }
 
-static mt_status start(mt_lapping *lapping, int count) {
-    size_t room = 3 * (size_t)count;
+static mt_status start(mt_lapping *lapping, const mt_masters *drawn) {
+    size_t room = 3 * (size_t)drawn->a.count;
     lapping->made = (mt_masters){{0, mt_arena_new(lapping->arena, room, sizeof(mt_segment))},
-                                 {0, mt_arena_new(lapping->arena, room, sizeof(mt_segment))}};
+                                 {0, mt_arena_new(lapping->arena, room, sizeof(mt_segment))},
+                                 drawn->aside};
     lapping->put_in = mt_arena_new(lapping->arena, room, sizeof(bool));
     bool made = lapping->made.a.segments && lapping->made.b.segments && lapping->put_in;
     return made ? MT_OK : MT_NO_MEMORY;
 }
 
 static mt_status copy_split(mt_lapping *lapping, const mt_masters *drawn) {
-    mt_status status = start(lapping, drawn->a.count);
+    mt_status status = start(lapping, drawn);
     if (status != MT_OK) return status;
     mt_masters *made = &lapping->made;
     for (int i = 0; i < drawn->a.count; i++) {

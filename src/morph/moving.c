@@ -88,12 +88,20 @@ static void measure(mt_point a, mt_point middle_a, mt_point b, mt_point middle_b
     *change = fmax(*change, hypot(bx - ax, by - ay));
 }
 
+/* Whether a contour turns off its straight way half-way (mt_masters.aside). */
+static bool stands_aside(const mt_moving *moving) {
+    for (int i = 0; i < moving->count; i++)
+        if (!mt_point_equal(moving->contours[i].aside, (mt_point){0, 0})) return true;
+    return false;
+}
+
 /* A point is turned by an angle that grows with T about a middle, as its distance from it changes evenly. The second derivative of
  * its way is then at most q²·radius + 2q·change (q in radians), and a chord over 1/n of it departs by an eighth of that over n². */
 int mt_moving_steps(const mt_morph *morph, const mt_moving *moving, double bound) {
     double radius = 0, change = 0, q = fabs(morph->degrees) * (M_PI / 180);
     mt_point a = mt_box_middle(morph->a.box), b = mt_box_middle(morph->b.box);
-    if (morph->degrees == 0) return 1;
+    int parts = stands_aside(moving) ? 2 : 1;
+    if (morph->degrees == 0) return parts;
     for (int i = 0; i < moving->count; i++)
         for (int k = 0; k < moving->contours[i].a.count; k++) {
             const mt_segment *s = &moving->contours[i].a.segments[k], *t = &moving->contours[i].b.segments[k];
@@ -101,5 +109,6 @@ int mt_moving_steps(const mt_morph *morph, const mt_moving *moving, double bound
             if (s->degree == 2) measure(s->control[0], a, t->control[0], b, &radius, &change);
         }
     double steps = ceil(sqrt((q * q * radius + 2 * q * change) / (8 * bound)));
-    return (int)fmin(fmax(steps, 1), MT_TURN_STEPS_MAX);
+    int most = MT_TURN_STEPS_MAX / parts, needed = (int)fmin(fmax(ceil(steps / parts), 1), most);
+    return needed * parts;
 }

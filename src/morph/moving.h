@@ -22,7 +22,7 @@ mt_status mt_moving_at(const mt_morph *morph, const mt_moving *moving, mt_weight
                        mt_outline *outline);
 
 /* In how many straight steps, each as long in T, all points keep within `bound` grid units of the way that formula (5) takes
- * them: 1 without rotation, MT_TURN_STEPS_MAX at most. */
+ * them: 1 without rotation, 2 where a contour stands aside half-way, MT_TURN_STEPS_MAX at most. */
 enum { MT_TURN_STEPS_MAX = 64 };
 int mt_moving_steps(const mt_morph *morph, const mt_moving *moving, double bound);
 
