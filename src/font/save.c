@@ -11,6 +11,7 @@
 #include "geometry/memory.h"
 #include "ufo.h"
 #include "woff2.h"
+#include "woff2_plain.h"
 
 /* ---- formats ---------------------------------------------------------------------------------------------- */
 
@@ -43,10 +44,18 @@ typedef struct mt_product {
     mt_designspace designspace;
 } mt_product;
 
-static mt_status pack(mt_product *product) {
+static bool has_overlaps(const mt_font_data *data) {
+    for (int i = 0; i < data->glyph_count; i++)
+        if (data->glyphs[i].overlaps) return true;
+    return false;
+}
+
+static mt_status pack(const mt_font_data *data, mt_product *product) {
     uint8_t *packed;
     size_t length;
-    mt_status status = mt_woff2_pack(product->bytes, product->length, &packed, &length);
+    mt_status status = has_overlaps(data)
+                           ? mt_woff2_pack_plain(product->bytes, product->length, &packed, &length)
+                           : mt_woff2_pack(product->bytes, product->length, &packed, &length);
     if (status != MT_OK) return status;
     mt_bytes_free(product->bytes);
     product->bytes = packed;
@@ -63,7 +72,7 @@ static mt_status make_product(const mt_font_data *data, mt_product *product) {
         return status;
     }
     status = mt_font_write(data, &product->bytes, &product->length);
-    return status == MT_OK && product->format == MT_FONT_WOFF2 ? pack(product) : status;
+    return status == MT_OK && product->format == MT_FONT_WOFF2 ? pack(data, product) : status;
 }
 
 /* Adds a master to a designspace, which the first begins. */

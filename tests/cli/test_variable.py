@@ -159,6 +159,16 @@ class Font(Variable):
             self.assertEqual(ours.getTableData(tag), theirs.getTableData(tag), tag)
 
 
+    def test_woff2_keeps_the_flags_of_overlaps(self):
+        packed = self.variable('x.woff2', *HAN_FONTS, text='分一')
+        self.assert_sane(packed)
+        ours = ttLib.TTFont(packed, lazy=False)
+        theirs = ttLib.TTFont(self.variable('x.ttf', *HAN_FONTS, text='分一'), lazy=False)
+        self.assertEqual(set(ours.keys()), set(theirs.keys()))
+        for tag in set(theirs.keys()) - {'GlyphOrder'}:
+            self.assertEqual(ours.getTableData(tag), theirs.getTableData(tag), tag)
+
+
 class Instances(Variable):
     """Instances by fontTools, FreeType and HarfBuzz are the blends at the same places."""
 
