@@ -7,8 +7,8 @@
 /* ---- stops --------------------------------------------------------------------------------------------- */
 
 static mt_stop vertex_stop(const mt_trace *t, int i) {
-    return (mt_stop){t->ring.points[i].x, t->ring.points[i].y,   mt_trace_in(t, i),      mt_trace_out(t, i),
-                     t->corner[i],        mt_trace_breaks(t, i), mt_trace_extremum(t, i)};
+    return (mt_stop){t->ring.points[i].x, t->ring.points[i].y,   mt_trace_in(t, i),       mt_trace_out(t, i),
+                     t->corner[i],        mt_trace_breaks(t, i), mt_trace_extremum(t, i), t->line[i]};
 }
 
 static double angle_between(double from, double to) {
@@ -19,7 +19,7 @@ static double angle_between(double from, double to) {
  * make, as long as that bulges by no more than flattening allows. */
 static mt_stop stop_between(const mt_stop *a, const mt_stop *b, bool line, double chord, double s) {
     double dx = b->x - a->x, dy = b->y - a->y, heading = atan2(dy, dx);
-    mt_stop stop = {a->x + s * dx, a->y + s * dy, heading, heading, false, false, false};
+    mt_stop stop = {a->x + s * dx, a->y + s * dy, heading, heading, false, false, false, line};
     double turn = angle_between(a->out, b->in), off = angle_between(a->out, heading);
     if (line || off * turn <= 0 || fabs(off) >= fabs(turn) || fabs(turn) > M_PI / 2) return stop;
     double reach = hypot(dx, dy) * sin(turn - off) / sin(turn); /* from a to the control point */
