@@ -61,12 +61,13 @@ static int run_length(const mt_trace *t, int first) {
 static mt_status fit_run(const mt_trace *t, int first, int count, double tolerance, mt_arena *arena,
                          mt_contour *contour) {
     mt_sample *samples = mt_arena_new(arena, (size_t)count + 1, sizeof *samples);
-    if (!samples) return MT_NO_MEMORY;
+    int *ends = mt_arena_new(arena, (size_t)count, sizeof *ends);
+    if (!samples || !ends) return MT_NO_MEMORY;
     sample_run(t, first, count, samples);
     const mt_sample *masters[] = {samples};
     mt_segment *segments[] = {contour->segments + contour->count};
     int made;
-    mt_status status = mt_spline(masters, 1, count + 1, tolerance, arena, segments, &made);
+    mt_status status = mt_spline(masters, 1, count + 1, tolerance, arena, segments, ends, &made);
     if (status == MT_OK) contour->count += made;
     return status;
 }

@@ -20,10 +20,6 @@
 #define KINK_SHARE 0.25    /* … for this much of a segment's price; more with the square of the angle */
 #define GIVE_UP 4.0 /* tolerances: past this error, longer segments from the same start are not tried */
 
-typedef struct mt_vec {
-    double x, y;
-} mt_vec;
-
 typedef struct mt_arc {
     bool line;
     mt_vec control;
@@ -53,6 +49,36 @@ static double distance_to_line(mt_vec p, mt_vec a, mt_vec b) {
     return sqrt(x * x + y * y);
 }
 
+/* The parabola through a and b with control point c, as the zeros of v² - 4uw, where u, v and w are the barycentric coordinates in
+ * the triangle a, c, b, each times the triangle's doubled area. */
+typedef struct mt_parabola {
+    mt_vec a, c, b;
+    mt_vec du, dv, dw; /* how u, v and w change with the place */
+    double area2;
+} mt_parabola;
+
+static mt_parabola parabola(mt_vec a, mt_vec c, mt_vec b) {
+    return (mt_parabola){.a = a,
+                         .c = c,
+                         .b = b,
+                         .du = {c.y - b.y, b.x - c.x},
+                         .dv = {b.y - a.y, a.x - b.x},
+                         .dw = {a.y - c.y, c.x - a.x},
+                         .area2 = cross(c.x - a.x, c.y - a.y, b.x - a.x, b.y - a.y)};
+}
+
+/* To first order: the value over its gradient. On the far side of the
+ * chord the parabola goes on, but not the curve. */
+static double distance_to_parabola(mt_vec p, const mt_parabola *q) {
+    double u = (p.x - q->b.x) * q->du.x + (p.y - q->b.y) * q->du.y;
+    double v = (p.x - q->a.x) * q->dv.x + (p.y - q->a.y) * q->dv.y;
+    double w = (p.x - q->c.x) * q->dw.x + (p.y - q->c.y) * q->dw.y;
+    double gx = 2 * v * q->dv.x - 4 * (u * q->dw.x + w * q->du.x);
+    double gy = 2 * v * q->dv.y - 4 * (u * q->dw.y + w * q->du.y);
+    double distance = fabs(v * v - 4 * u * w) / sqrt(gx * gx + gy * gy);
+    return v * q->area2 >= 0 ? distance : fmax(distance, distance_to_line(p, q->a, q->b));
+}
+
 /* Newton's method on (q(t) - p)·q'(t) = 0, from a start near enough: the samples come in order along the
  * curve. */
 static double distance_to_quadratic(mt_vec p, mt_vec a, mt_vec c, mt_vec b, double *t) {
@@ -76,9 +102,18 @@ static double line_error(const mt_sample *s, int from, int to) {
     return worst;
 }
 
+/* To first order, and no further than the limit. */
 static double quadratic_error(const mt_sample *s, int from, int to, mt_vec control, double limit) {
+    mt_parabola curve = parabola(place(&s[from]), control, place(&s[to]));
+    double worst = 0;
+    for (int k = from + 1; k < to && worst <= limit; k++)
+        worst = fmax(worst, distance_to_parabola(place(&s[k]), &curve));
+    return worst;
+}
+
+static double exact_error(const mt_sample *s, int from, int to, mt_vec control) {
     double worst = 0, t = 0;
-    for (int k = from + 1; k < to && worst <= limit; k++) {
+    for (int k = from + 1; k < to; k++) {
         double start = (double)(k - from) / (to - from);
         t = fmax(t, start * 0.5 + t * 0.5);
         worst = fmax(worst, distance_to_quadratic(place(&s[k]), place(&s[from]), control, place(&s[to]), &t));
@@ -189,14 +224,24 @@ static bool turned_back(const mt_problem *p, int from, int to) {
     return false;
 }
 
+static double cost_of(const mt_problem *p, const mt_joint_arc *arc, int to) {
+    double share = arc->error / p->tolerance;
+    return 1 + ERROR_SHARE * share * share + kink_price(p, to);
+}
+
+/* Takes an arc that costs less than the best way so far, once it is sure that it fits. */
+static void take_if_better(const mt_problem *p, int from, int to, mt_joint_arc arc, mt_step *best) {
+    if (best[from].cost + cost_of(p, &arc, to) >= best[to].cost) return;
+    for (int m = 0; m < p->master_count && !arc.line; m++)
+        arc.error = fmax(arc.error, exact_error(p->masters[m], from, to, arc.control[m]));
+    double cost = best[from].cost + cost_of(p, &arc, to);
+    if (arc.error <= p->tolerance && cost < best[to].cost) best[to] = (mt_step){cost, from, arc};
+}
+
 static void try_from(const mt_problem *p, int from, mt_step *best) {
     for (int to = from + 1; to < p->count; to++) {
         mt_joint_arc arc = joint_arc(p, from, to);
-        if (arc.error <= p->tolerance) {
-            double share = arc.error / p->tolerance;
-            double cost = best[from].cost + 1 + ERROR_SHARE * share * share + kink_price(p, to);
-            if (cost < best[to].cost) best[to] = (mt_step){cost, from, arc};
-        }
+        if (arc.error <= p->tolerance) take_if_better(p, from, to, arc, best);
         if (is_node(p, to) || turned_back(p, from, to)) break;
         if (!arc.line && arc.error > p->tolerance * GIVE_UP) break;
     }
@@ -206,9 +251,11 @@ static mt_point rounded(mt_vec p) {
     return (mt_point){(int32_t)lround(p.x), (int32_t)lround(p.y)};
 }
 
-static void write_segments(const mt_problem *p, const mt_step *best, int total, mt_segment *const *segments) {
+static void write_segments(const mt_problem *p, const mt_step *best, int total, mt_segment *const *segments,
+                           int *ends) {
     for (int j = p->count - 1; j > 0; j = best[j].from) {
         total--;
+        ends[total] = j;
         for (int m = 0; m < p->master_count; m++) {
             mt_segment *segment = &segments[m][total];
             *segment =
@@ -219,7 +266,7 @@ static void write_segments(const mt_problem *p, const mt_step *best, int total, 
 }
 
 mt_status mt_spline(const mt_sample *const *masters, int master_count, int count, double tolerance,
-                    mt_arena *arena, mt_segment *const *segments, int *made) {
+                    mt_arena *arena, mt_segment *const *segments, int *ends, int *made) {
     mt_problem problem = {masters, master_count, count, tolerance};
     mt_step *best = mt_arena_new(arena, (size_t)count, sizeof *best);
     if (!best) return MT_NO_MEMORY;
@@ -232,7 +279,7 @@ mt_status mt_spline(const mt_sample *const *masters, int master_count, int count
     assert(best[count - 1].cost < INFINITY); /* neighbours are always joined */
     int total = 0;
     for (int j = count - 1; j > 0; j = best[j].from) total++;
-    write_segments(&problem, best, total, segments);
+    write_segments(&problem, best, total, segments, ends);
     *made = total;
     return MT_OK;
 }

@@ -5,6 +5,10 @@
 
 #include "outline.h"
 
+typedef struct mt_vec {
+    double x, y;
+} mt_vec;
+
 /* A point of the curve with its direction there (unit length), grid units. */
 typedef struct mt_sample {
     double x, y;
@@ -21,8 +25,9 @@ mt_sample mt_sample_at(double x, double y, double heading, bool node);
  * directions and within `tolerance` of the others; of equally many, the closest. With two masters, sample k
  * of the one goes with sample k of the other, and so do the segments: they end at the same samples, where the
  * directions differ least, and fit both. A stretch that is straight within a tenth of the tolerance in every
- * master becomes a line. segments[m] has room for count - 1; *made says how many there are. MT_NO_MEMORY. */
+ * master becomes a line. segments[m] has room for count - 1, and so has ends, for the number of the sample at which each
+ * segment ends; *made says how many there are. MT_NO_MEMORY. */
 mt_status mt_spline(const mt_sample *const *masters, int master_count, int count, double tolerance,
-                    mt_arena *arena, mt_segment *const *segments, int *made);
+                    mt_arena *arena, mt_segment *const *segments, int *ends, int *made);
 
 #endif

@@ -7,8 +7,8 @@
 /* ---- stops --------------------------------------------------------------------------------------------- */
 
 static mt_stop vertex_stop(const mt_trace *t, int i) {
-    return (mt_stop){t->ring.points[i].x, t->ring.points[i].y,   mt_trace_in(t, i),      mt_trace_out(t, i),
-                     t->corner[i],        mt_trace_breaks(t, i), mt_trace_extremum(t, i)};
+    return (mt_stop){t->ring.points[i].x, t->ring.points[i].y,   mt_trace_in(t, i),       mt_trace_out(t, i),
+                     t->corner[i],        mt_trace_breaks(t, i), mt_trace_extremum(t, i), t->line[i]};
 }
 
 static double angle_between(double from, double to) {
@@ -19,7 +19,7 @@ static double angle_between(double from, double to) {
  * make, as long as that bulges by no more than flattening allows. */
 static mt_stop stop_between(const mt_stop *a, const mt_stop *b, bool line, double chord, double s) {
     double dx = b->x - a->x, dy = b->y - a->y, heading = atan2(dy, dx);
-    mt_stop stop = {a->x + s * dx, a->y + s * dy, heading, heading, false, false, false};
+    mt_stop stop = {a->x + s * dx, a->y + s * dy, heading, heading, false, false, false, line};
     double turn = angle_between(a->out, b->in), off = angle_between(a->out, heading);
     if (line || off * turn <= 0 || fabs(off) >= fabs(turn) || fabs(turn) > M_PI / 2) return stop;
     double reach = hypot(dx, dy) * sin(turn - off) / sin(turn); /* from a to the control point */
@@ -120,14 +120,14 @@ static float price_at(const mt_grid *g, int i, int j) {
     return g->prices[(size_t)i * (size_t)g->m + (size_t)j];
 }
 
-/* The least cost of a way from (start_a, start_b) once around both rings. A step by which both stops move on counts twice, so that
+/* The least cost of a way from (start_a, start_b) once around both rings; INFINITY once it is sure to come to `most` or more. A step by which both stops move on counts twice, so that
  * all ways weigh the same, however many steps they have (H. Sakoe and S. Chiba, "Dynamic programming algorithm optimization
  * for spoken word recognition", 1978, the symmetric form). */
-static double fill(mt_grid *g) {
+static double fill(mt_grid *g, double most) {
     for (int i = 0; i <= g->n; i++) {
         const float *prices = g->prices + (size_t)((g->start_a + i) % g->n) * (size_t)g->m;
         uint8_t *moves = g->moves + (size_t)i * (size_t)(g->m + 1);
-        double diagonal = INFINITY; /* the cost at (i - 1, j - 1) */
+        double diagonal = INFINITY, least = INFINITY; /* the cost at (i - 1, j - 1), and of the row */
         for (int j = 0, k = g->start_b; j <= g->m; j++) {
             double price = (double)prices[k];
             double above = i > 0 ? g->row[j] + MT_WAIT_PRICE + price : INFINITY;
@@ -138,8 +138,10 @@ static double fill(mt_grid *g) {
             if (left < best) best = left, moves[j] = B_MOVES;
             diagonal = i > 0 ? g->row[j] : INFINITY;
             g->row[j] = best;
+            if (best < least) least = best;
             k = k + 1 == g->m ? 0 : k + 1;
         }
+        if (least >= most) return INFINITY; /* every way comes through this row */
     }
     return g->row[g->m];
 }
@@ -229,7 +231,7 @@ static mt_status align(const mt_stops *stops_a, mt_box box_a, const mt_stops *st
     best_partners(&grid, grid.start_a, partners);
     for (int k = 0; k < STARTS && partners[k] >= 0; k++) {
         grid.start_b = partners[k];
-        double cost = fill(&grid);
+        double cost = fill(&grid, made.cost);
         if (cost >= made.cost) continue;
         made.cost = cost;
         read_back(&grid, &made);

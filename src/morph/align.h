@@ -16,6 +16,7 @@ typedef struct mt_stop {
     bool corner;    /* the drawing has a corner here */
     bool breaks;    /* a corner, or where a line begins or ends */
     bool extremum;  /* turns back in x or in y, smoothly */
+    bool line;      /* goes on from here along a line */
 } mt_stop;
 
 typedef struct mt_stops {

@@ -5,8 +5,9 @@
 #include "geometry/outline.h"
 #include "morph/align.h"
 
-/* Fits the same lines and quadratics to two aligned rings, each within `tolerance` grid units of its own,
- * split where either has a corner or the end of a line, and at the extrema that both have. MT_NO_MEMORY. */
+/* Fits the same lines and quadratics to two aligned rings, each within `tolerance` grid units of its own, and a tenth of that
+ * more. They end where either ring has a corner, where both begin or end to follow a line, and at the extrema that both have;
+ * nodes that both run through smoothly stay smooth on the way (chains.h), where the curves can be made so. MT_NO_MEMORY. */
 mt_status mt_masters_fit(const mt_stops *a, const mt_stops *b, const mt_alignment *alignment,
                          double tolerance, mt_arena *arena, mt_masters *masters);
 

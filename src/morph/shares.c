@@ -19,22 +19,26 @@
 /* One side on its way. */
 typedef struct mt_bank {
     mt_border border;
-    bool *used;     /* each bridge, by the other side's walkers */
-    bool **cut;     /* of each component's mesh, the half-edges along which it is cut */
+    bool *used; /* each bridge, by the other side's walkers */
+    mt_pace
+        *start; /* of each ring, where its walks on the other side's border start; here < 0: not known yet */
+    bool **cut; /* of each component's mesh, the half-edges along which it is cut */
     int **share_of; /* of each component's mesh, the share of each triangle */
     mt_cut_side made;
 } mt_bank;
 
 /* ---- walks --------------------------------------------------------------------------------------------------------- */
 
-/* Walks around all rings of one side on the other's border, and notes which bridges are used. */
-static mt_status walk_on(const mt_bank *from, mt_bank *to, const mt_tariff *tariff, mt_arena *arena) {
+/* Walks around all rings of one side on the other's border, and notes which bridges are used, and where the walks start. */
+static mt_status walk_on(mt_bank *from, mt_bank *to, const mt_tariff *tariff, mt_arena *arena) {
     for (int i = 0; i < to->border.first_bridge[to->border.count]; i++) to->used[i] = false;
     for (int r = 0; r < from->border.ring_count; r++) {
         mt_arena_place before = mt_arena_mark(arena);
         mt_walk walk;
-        mt_status status = mt_walk_around(&from->border, r, &to->border, tariff, arena, &walk);
+        mt_status status = mt_walk_around(&from->border, r, &to->border, tariff,
+                                          from->start[r].here < 0 ? NULL : &from->start[r], arena, &walk);
         if (status != MT_OK) return status;
+        from->start[r] = walk.paces[0];
         for (int k = 0; k < walk.count; k++)
             if (walk.paces[k].bridge >= 0) to->used[walk.paces[k].bridge] = true;
         mt_arena_rewind(arena, before);
@@ -330,9 +334,13 @@ static mt_status start_bank(const mt_side *side, const mt_manner *manner, mt_are
     mt_status status =
         mt_border_of(&side->shape, side->box, manner, mt_grid_units(REACH), arena, &bank->border);
     if (status != MT_OK) return status;
-    bank->used =
-        mt_arena_new(arena, (size_t)bank->border.first_bridge[bank->border.count], sizeof *bank->used);
-    return bank->used ? MT_OK : MT_NO_MEMORY;
+    size_t bridges = (size_t)bank->border.first_bridge[bank->border.count],
+           rings = (size_t)bank->border.ring_count;
+    bank->used = mt_arena_new(arena, bridges, sizeof *bank->used);
+    bank->start = mt_arena_new(arena, rings, sizeof *bank->start);
+    if (!bank->used || !bank->start) return MT_NO_MEMORY;
+    for (size_t r = 0; r < rings; r++) bank->start[r].here = -1;
+    return MT_OK;
 }
 
 static mt_status find_cuts(mt_bank *banks, const mt_tariff *tariff, mt_arena *arena) {

@@ -3,12 +3,16 @@
 #include <math.h>
 #include <string.h>
 
+#include "geometry/limits.h"
+
 /* A master that turns by no more than so many degrees at a node runs through it smoothly. */
 #define SMOOTH_TURN 4.0
 /* A kink that turns by less than so many degrees half-way is let be. */
 #define KINK_TURN 0.5
+/* A line or a handle keeps so much of its length, in one of the masters at least, 1/1000 em. */
+#define HANDLE_LEAST 2.0
 /* Nodes are moved in so many rounds, since a line's end is its neighbour's handle. */
-enum { ROUNDS = 3, SAMPLES = 8 };
+enum { ROUNDS = 3, SAMPLES = 8, STEPS = 8 };
 
 typedef struct mt_vector {
     double x, y;
@@ -52,7 +56,7 @@ static double turn(mt_hinge h) {
 /* ---- whether there is a kink ------------------------------------------------------------------------------ */
 
 /* The direction in which a master waits before or after a node is that in which it came there or will go on. */
-static bool is_smooth(const mt_contour *contour, int k) {
+bool mt_is_smooth(const mt_contour *contour, int k) {
     mt_hinge h = hinge_at(contour, k);
     for (int i = 1; i < contour->count && distance(h.before, h.at) == 0; i++)
         h.before = hinge_at(contour, k - i).before;
@@ -61,11 +65,17 @@ static bool is_smooth(const mt_contour *contour, int k) {
     return turn(h) <= SMOOTH_TURN;
 }
 
-static bool has_kink(const mt_contour *const masters[2], int k) {
-    if (!is_smooth(masters[0], k) || !is_smooth(masters[1], k)) return false;
+static double turn_between(mt_hinge a, mt_hinge b, double share) {
+    return turn((mt_hinge){between(a.before, b.before, share), between(a.at, b.at, share),
+                           between(a.after, b.after, share)});
+}
+
+double mt_kink(const mt_contour *const masters[2], int k) {
+    if (!mt_is_smooth(masters[0], k) || !mt_is_smooth(masters[1], k)) return 0;
     mt_hinge a = hinge_at(masters[0], k), b = hinge_at(masters[1], k);
-    return turn((mt_hinge){between(a.before, b.before, 0.5), between(a.at, b.at, 0.5),
-                           between(a.after, b.after, 0.5)}) > KINK_TURN;
+    double most = 0;
+    for (int i = 1; i < STEPS; i++) most = fmax(most, turn_between(a, b, (double)i / STEPS));
+    return most;
 }
 
 /* ---- what moving a node does ------------------------------------------------------------------------------ */
@@ -113,6 +123,16 @@ static double departure(const mt_contour *drawn, const mt_contour *contour, int 
 
 /* ---- moving ----------------------------------------------------------------------------------------------- */
 
+/* Whether a handle at a node would be shorter than HANDLE_LEAST in both masters, with the node at `at`. */
+static bool is_used_up(const mt_hinge hinges[2], const mt_vector at[2]) {
+    double before = 0, after = 0;
+    for (int m = 0; m < 2; m++) {
+        before = fmax(before, distance(hinges[m].before, at[m]));
+        after = fmax(after, distance(at[m], hinges[m].after));
+    }
+    return fmin(before, after) < mt_grid_units(HANDLE_LEAST);
+}
+
 static double share_of(mt_hinge h) {
     double in = distance(h.before, h.at), out = distance(h.at, h.after);
     return in + out > 0 ? in / (in + out) : 0.5;
@@ -133,7 +153,7 @@ static void move_node(const mt_contour *const drawn[2], mt_contour *const master
             at[m] = between(hinges[m].before, hinges[m].after, shares[i]);
             worst = fmax(worst, departure(drawn[m], masters[m], k, at[m]));
         }
-        if (worst > tolerance || worst >= least) continue;
+        if (worst > tolerance || worst >= least || is_used_up(hinges, at)) continue;
         least = worst;
         memcpy(best, at, sizeof best);
     }
@@ -156,6 +176,6 @@ mt_status mt_masters_smooth(mt_masters *masters, double tolerance, mt_arena *are
     const mt_contour *const before[2] = {&drawn[0], &drawn[1]}, *const now[2] = {&masters->a, &masters->b};
     for (int round = 0; round < ROUNDS; round++)
         for (int k = 0; k < masters->a.count; k++)
-            if (has_kink(now, k)) move_node(before, moved, k, tolerance);
+            if (mt_kink(now, k) > KINK_TURN) move_node(before, moved, k, tolerance);
     return MT_OK;
 }

@@ -8,13 +8,21 @@
  * boxes in x or in y are out of its reach. Where that leads nowhere it looks twice as far; 1 is all of the box. */
 #define SIGHT 0.2
 
+#define WAIT_PRICE ((float)MT_WAIT_PRICE)
+
 /* How a cell was reached. From a bridge on, it is the bridge's number. */
 enum { START, STAY, BOTH, ALONG, BRIDGE };
 
 /* The views of the border's stops. */
 typedef struct mt_columns {
-    double *x, *y, *in_x, *in_y, *out_x, *out_y;
+    float *x, *y, *in_x, *in_y, *out_x, *out_y;
 } mt_columns;
+
+/* A bridge that is not barred. */
+typedef struct mt_crossing {
+    int to, bridge;
+    float price;
+} mt_crossing;
 
 /* A stretch of a ring of the border, which is in sight, or out of it, as a whole. */
 typedef struct mt_stretch {
@@ -29,13 +37,13 @@ typedef struct mt_walker {
     const mt_border *from, *to;
     mt_tariff tariff;
     mt_columns columns;
-    int first, n; /* the stops of the ring */
-    int start;    /* the stop of the ring to start at */
-    int *before;  /* of each stop of the border, the one before it on its ring … */
-    int *after;   /* … and the one after it */
-    int *source;  /* of each bridge, the stop that it leaves */
-    int *first_open,
-        *open; /* of each stop, the bridges from it that are not barred: open[first_open[j] … first_open[j + 1]) */
+    int first, n;    /* the stops of the ring */
+    int start;       /* the stop of the ring to start at */
+    int *before;     /* of each stop of the border, the one before it on its ring … */
+    int *after;      /* … and the one after it */
+    int *source;     /* of each bridge, the stop that it leaves */
+    int *first_open; /* of each stop, its crossings: open[first_open[j] … first_open[j + 1]) */
+    mt_crossing *open;
     int gate_count, *gates;  /* the stops that have such bridges */
     int later_count, *later; /* stops whose bridges are to be looked at again … */
     bool *waits;             /* … and whether a stop is one of them */
@@ -43,7 +51,7 @@ typedef struct mt_walker {
     mt_stretch *stretches;   /* and one more that is empty */
     int *first_stretch;      /* of each ring of the border, and one more */
     bool *seen[2];           /* each stretch, by rows: whether it is in sight */
-    double *cost[2];         /* INFINITY out of sight */
+    float *cost[2];          /* INFINITY out of sight */
     float *price;            /* of this stop of the ring with each of the border; INFINITY out of sight */
     int32_t *how;            /* (n + 1) × to->count */
 } mt_walker;
@@ -66,14 +74,15 @@ static void look_later(mt_walker *w, int j) {
 /* ---- what is in sight ---------------------------------------------------------------------------------------------- */
 
 /* As mt_price, for the stops of one stretch, column by column. */
-static void price_stretch(mt_walker *w, const mt_view *here, const mt_stretch *stretch) {
+static void price_stretch(mt_walker *w, const mt_view *view, const mt_stretch *stretch) {
     const mt_columns *c = &w->columns;
-    const mt_tariff t = w->tariff;
+    const float x = (float)view->x, y = (float)view->y, in_x = (float)view->in_x, in_y = (float)view->in_y,
+                out_x = (float)view->out_x, out_y = (float)view->out_y;
+    const float direction = (float)w->tariff.direction / 4, distance = (float)w->tariff.distance;
     for (int j = stretch->first; j < stretch->end; j++) {
-        double same = here->in_x * c->in_x[j] + here->in_y * c->in_y[j] + here->out_x * c->out_x[j] +
-                      here->out_y * c->out_y[j];
-        double dx = here->x - c->x[j], dy = here->y - c->y[j];
-        w->price[j] = (float)(t.direction * (2 - same) / 4 + t.distance * sqrt(dx * dx + dy * dy));
+        float same = in_x * c->in_x[j] + in_y * c->in_y[j] + out_x * c->out_x[j] + out_y * c->out_y[j];
+        float dx = x - c->x[j], dy = y - c->y[j];
+        w->price[j] = direction * (2 - same) + distance * sqrtf(dx * dx + dy * dy);
     }
 }
 
@@ -87,7 +96,7 @@ static void look_around(mt_walker *w, int i) {
     const mt_view *here = &w->from->views[w->first + (w->start + i) % w->n];
     bool *seen = w->seen[i % 2];
     const bool *last = w->seen[(i + 1) % 2];
-    double *cost = w->cost[i % 2];
+    float *cost = w->cost[i % 2];
     for (int s = 0; s < stretch_count(w); s++) {
         const mt_stretch *stretch = &w->stretches[s];
         bool now = is_in_sight(w, here, stretch);
@@ -110,10 +119,10 @@ static void shut_eyes(mt_walker *w) {
 
 /* Along the ring of the border from stop j on, while the ring's walker waits, as long as that is cheaper. What it reaches has
  * its bridges to look at. */
-static void go_on_from(mt_walker *w, int j, double *cost, int32_t *how) {
+static void go_on_from(mt_walker *w, int j, float *cost, int32_t *how) {
     for (;;) {
         int k = w->after[j];
-        double by = cost[j] + MT_WAIT_PRICE + (double)w->price[k];
+        float by = cost[j] + WAIT_PRICE + w->price[k];
         if (by >= cost[k]) return;
         cost[k] = by;
         how[k] = ALONG;
@@ -122,15 +131,15 @@ static void go_on_from(mt_walker *w, int j, double *cost, int32_t *how) {
     }
 }
 
-static void step_along(const mt_walker *w, int j, int k, double *cost, int32_t *how) {
-    double by = cost[j] + MT_WAIT_PRICE + (double)w->price[k];
+static void step_along(const mt_walker *w, int j, int k, float *cost, int32_t *how) {
+    float by = cost[j] + WAIT_PRICE + w->price[k];
     if (by >= cost[k]) return;
     cost[k] = by;
     how[k] = ALONG;
 }
 
 /* Once along a ring of the border that is all in sight, from its cheapest stop, to which no way along the ring can be cheaper. */
-static void go_around(const mt_walker *w, int ring, double *cost, int32_t *how) {
+static void go_around(const mt_walker *w, int ring, float *cost, int32_t *how) {
     int low = w->to->first_of_ring[ring], high = w->to->first_of_ring[ring + 1], least = low;
     for (int j = low + 1; j < high; j++)
         if (cost[j] < cost[least]) least = j;
@@ -138,7 +147,7 @@ static void go_around(const mt_walker *w, int ring, double *cost, int32_t *how) 
 }
 
 /* Along what is in sight of a ring of the border: from a stretch out of sight on, so that nothing comes before its own start. */
-static void go_along(const mt_walker *w, int ring, const bool *seen, double *cost, int32_t *how) {
+static void go_along(const mt_walker *w, int ring, const bool *seen, float *cost, int32_t *how) {
     int low = w->first_stretch[ring], high = w->first_stretch[ring + 1], unseen = low;
     while (unseen < high && seen[unseen]) unseen++;
     if (unseen == high) {
@@ -154,20 +163,20 @@ static void go_along(const mt_walker *w, int ring, const bool *seen, double *cos
     }
 }
 
-static void go_across(mt_walker *w, int j, double *cost, int32_t *how) {
+static void go_across(mt_walker *w, int j, float *cost, int32_t *how) {
     for (int i = w->first_open[j]; i < w->first_open[j + 1]; i++) {
-        int b = w->open[i], to = w->to->bridges[b].to;
-        double by = cost[j] + w->to->bridges[b].price + (double)w->price[to];
-        if (by >= cost[to]) continue;
-        cost[to] = by;
-        how[to] = BRIDGE + b;
-        look_later(w, to);
-        go_on_from(w, to, cost, how);
+        const mt_crossing *c = &w->open[i];
+        float by = cost[j] + c->price;
+        if (by >= cost[c->to] || by + w->price[c->to] >= cost[c->to]) continue;
+        cost[c->to] = by + w->price[c->to];
+        how[c->to] = BRIDGE + c->bridge;
+        look_later(w, c->to);
+        go_on_from(w, c->to, cost, how);
     }
 }
 
 static void settle_row(mt_walker *w, int i) {
-    double *cost = w->cost[i % 2];
+    float *cost = w->cost[i % 2];
     int32_t *how = row_of(w, i);
     const bool *seen = w->seen[i % 2];
     for (int r = 0; r < w->to->ring_count; r++) go_along(w, r, seen, cost, how);
@@ -181,16 +190,19 @@ static void settle_row(mt_walker *w, int i) {
     }
 }
 
-/* From the row before to stretch s, the ring's walker alone or both going on. */
+/* From the row before to a stretch, the ring's walker alone or both going on. */
 static void go_on_to(const mt_walker *w, int i, const mt_stretch *stretch) {
-    const double *last = w->cost[(i + 1) % 2];
-    double *cost = w->cost[i % 2], both = last[w->before[stretch->first]];
+    const float *last = w->cost[(i + 1) % 2], *price = w->price;
+    float *cost = w->cost[i % 2];
     int32_t *how = row_of(w, i);
-    for (int j = stretch->first; j < stretch->end; j++) {
-        double stay = last[j] + MT_WAIT_PRICE;
-        cost[j] = (stay < both ? stay : both) + (double)w->price[j];
-        how[j] = stay < both ? STAY : BOTH;
-        both = last[j];
+    int first = stretch->first;
+    float both = last[w->before[first]], stay = last[first] + WAIT_PRICE;
+    cost[first] = (stay < both ? stay : both) + price[first];
+    how[first] = stay < both ? STAY : BOTH;
+    for (int j = first + 1; j < stretch->end; j++) {
+        float waits = last[j] + WAIT_PRICE;
+        cost[j] = (waits < last[j - 1] ? waits : last[j - 1]) + price[j];
+        how[j] = waits < last[j - 1] ? STAY : BOTH;
     }
 }
 
@@ -208,7 +220,7 @@ static void fill(mt_walker *w, int there) {
     shut_eyes(w);
     look_around(w, 0);
     for (int j = 0; j < w->to->count; j++) {
-        w->cost[0][j] = there < 0 || there == j ? (double)w->price[j] : INFINITY;
+        w->cost[0][j] = there < 0 || there == j ? w->price[j] : INFINITY;
         row_of(w, 0)[j] = START;
     }
     settle_row(w, 0);
@@ -216,7 +228,7 @@ static void fill(mt_walker *w, int there) {
 }
 
 static int cheapest_end(const mt_walker *w) {
-    const double *cost = w->cost[w->n % 2];
+    const float *cost = w->cost[w->n % 2];
     int best = 0;
     for (int j = 1; j < w->to->count; j++)
         if (cost[j] < cost[best]) best = j;
@@ -266,7 +278,9 @@ static void list_open_bridges(mt_walker *w) {
         w->first_open[j] = open;
         for (int b = w->to->first_bridge[j]; b < w->to->first_bridge[j + 1]; b++) {
             w->source[b] = j;
-            if (w->to->bridges[b].price < INFINITY) w->open[open++] = b;
+            const mt_bridge *bridge = &w->to->bridges[b];
+            if (bridge->price < INFINITY)
+                w->open[open++] = (mt_crossing){bridge->to, b, (float)bridge->price};
         }
         if (open > w->first_open[j]) w->gates[w->gate_count++] = j;
     }
@@ -314,18 +328,18 @@ static mt_status make_stretches(mt_walker *w, mt_arena *arena) {
 
 static mt_status fill_columns(mt_walker *w, mt_arena *arena) {
     size_t m = (size_t)w->to->count;
-    double *room = mt_arena_new(arena, 6 * m, sizeof *room);
+    float *room = mt_arena_new(arena, 6 * m, sizeof *room);
     if (!room) return MT_NO_MEMORY;
     mt_columns *c = &w->columns;
     *c = (mt_columns){room, room + m, room + 2 * m, room + 3 * m, room + 4 * m, room + 5 * m};
     for (size_t j = 0; j < m; j++) {
         const mt_view *view = &w->to->views[j];
-        c->x[j] = view->x;
-        c->y[j] = view->y;
-        c->in_x[j] = view->in_x;
-        c->in_y[j] = view->in_y;
-        c->out_x[j] = view->out_x;
-        c->out_y[j] = view->out_y;
+        c->x[j] = (float)view->x;
+        c->y[j] = (float)view->y;
+        c->in_x[j] = (float)view->in_x;
+        c->in_y[j] = (float)view->in_y;
+        c->out_x[j] = (float)view->out_x;
+        c->out_y[j] = (float)view->out_y;
     }
     return MT_OK;
 }
@@ -338,19 +352,19 @@ static mt_status start_walker(const mt_border *from, int ring, const mt_border *
     size_t m = (size_t)to->count, cells = ((size_t)w->n + 1) * m,
            bridges = (size_t)to->first_bridge[to->count];
     if (cells > MT_ALIGNMENT_MAX) return MT_TOO_LARGE;
-    int *numbers = mt_arena_new(arena, 5 * m + 1 + 2 * bridges, sizeof *numbers);
+    int *numbers = mt_arena_new(arena, 5 * m + 1 + bridges, sizeof *numbers);
+    w->open = mt_arena_new(arena, bridges, sizeof *w->open);
     w->waits = mt_arena_new(arena, m, sizeof *w->waits);
-    w->cost[0] = mt_arena_new(arena, 2 * m, sizeof(double));
+    w->cost[0] = mt_arena_new(arena, 2 * m, sizeof(float));
     w->price = mt_arena_new(arena, m, sizeof *w->price);
     w->how = mt_arena_new(arena, cells, sizeof *w->how);
-    if (!numbers || !w->waits || !w->cost[0] || !w->price || !w->how) return MT_NO_MEMORY;
+    if (!numbers || !w->open || !w->waits || !w->cost[0] || !w->price || !w->how) return MT_NO_MEMORY;
     w->before = numbers;
     w->after = w->before + m;
     w->gates = w->after + m;
     w->later = w->gates + m;
     w->first_open = w->later + m;
-    w->open = w->first_open + m + 1;
-    w->source = w->open + bridges;
+    w->source = w->first_open + m + 1;
     w->cost[1] = w->cost[0] + m;
     chain_stops(w);
     list_open_bridges(w);
@@ -371,23 +385,29 @@ static mt_pace surest(const mt_walker *w, const mt_pace *paces, int count) {
     return best;
 }
 
-mt_status mt_walk_around(const mt_border *from, int ring, const mt_border *to, const mt_tariff *tariff,
-                         mt_arena *arena, mt_walk *walk) {
-    mt_walker w;
-    mt_status status = start_walker(from, ring, to, tariff, arena, &w);
-    if (status != MT_OK) return status;
-    int end = walk_lap(&w, -1),
-        count = read_back(&w, end, NULL, 0); /* to learn where a closed one may start */
+/* Where a closed walk may start: where an open one is surest. */
+static mt_status find_start(mt_walker *w, mt_arena *arena, mt_pace *start) {
+    int end = walk_lap(w, -1), count = read_back(w, end, NULL, 0);
     mt_pace *paces = mt_arena_new(arena, (size_t)count, sizeof *paces);
     if (!paces) return MT_NO_MEMORY;
-    read_back(&w, end, paces, count);
-    mt_pace start = surest(&w, paces, count);
-    w.start = start.here - w.first;
-    walk_lap(&w, start.there);
-    *walk = (mt_walk){.count = read_back(&w, start.there, NULL, 0)};
-    walk->price = w.cost[w.n % 2][start.there] / walk->count;
+    read_back(w, end, paces, count);
+    *start = surest(w, paces, count);
+    return MT_OK;
+}
+
+mt_status mt_walk_around(const mt_border *from, int ring, const mt_border *to, const mt_tariff *tariff,
+                         const mt_pace *start, mt_arena *arena, mt_walk *walk) {
+    mt_walker w;
+    mt_pace first = start ? *start : (mt_pace){0};
+    mt_status status = start_walker(from, ring, to, tariff, arena, &w);
+    if (status == MT_OK && !start) status = find_start(&w, arena, &first);
+    if (status != MT_OK) return status;
+    w.start = first.here - w.first;
+    walk_lap(&w, first.there);
+    *walk = (mt_walk){.count = read_back(&w, first.there, NULL, 0)};
+    walk->price = (double)w.cost[w.n % 2][first.there] / walk->count;
     walk->paces = mt_arena_new(arena, (size_t)walk->count, sizeof *walk->paces);
     if (!walk->paces) return MT_NO_MEMORY;
-    read_back(&w, start.there, walk->paces, walk->count);
+    read_back(&w, first.there, walk->paces, walk->count);
     return MT_OK;
 }

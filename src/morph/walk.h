@@ -17,8 +17,9 @@ typedef struct mt_walk {
 } mt_walk;
 
 /* The cheapest closed walk once around ring `ring` of `from` on the border of `to`, by dynamic programming over what is in sight of
- * each stop; the tariff's corners do not count. O(n m) for n stops of the ring and m of the border. MT_NO_MEMORY, MT_TOO_LARGE. */
+ * each stop; the tariff's corners do not count. `start` is a pace that it has to have, such as the first of an earlier walk; NULL:
+ * one is found, by an open walk. O(n m) for n stops of the ring and m of the border. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_walk_around(const mt_border *from, int ring, const mt_border *to, const mt_tariff *tariff,
-                         mt_arena *arena, mt_walk *walk);
+                         const mt_pace *start, mt_arena *arena, mt_walk *walk);
 
 #endif

@@ -10,6 +10,7 @@
 
 #include "font/pair.h"
 #include "geometry/limits.h"
+#include "support/code_points.h"
 
 #define MEAN 0.25 /* the promise, 1/1000 em */
 #define LARGEST 1.0
@@ -104,52 +105,11 @@ static void compare_glyph(mt_font *source, mt_font *blend, uint32_t c, mt_arena 
     sum->worst = c;
 }
 
+enum { CHARS_MAX = 100000 };
+
 static void say_failure(uint32_t c, mt_status why, void *user) {
     (void)user;
     printf("U+%04X: %s\n", c, mt_status_text(why));
-}
-
-enum { CHARS_MAX = 100000 };
-
-/* The first `most` characters from U+0080 on of a UTF-8 file, lines that start with # left out; -1 when it cannot be read. */
-static int read_file(const char *path, int most, uint32_t *chars) {
-    char line[4096];
-    int made = 0;
-    FILE *file = fopen(path, "r");
-    if (!file) return -1;
-    while (fgets(line, sizeof line, file)) {
-        if (line[0] == '#') continue;
-        for (const unsigned char *p = (const unsigned char *)line; *p && made < most; p++) {
-            if (*p >= 0xE0)
-                chars[made++] = *p & 0x0F;
-            else if (*p >= 0xC0)
-                chars[made++] = *p & 0x1F;
-            else if (*p >= 0x80)
-                chars[made - 1] = chars[made - 1] << 6 | (*p & 0x3F);
-        }
-    }
-    fclose(file);
-    return made;
-}
-
-/* The code points of ranges FIRST-LAST, hexadecimal, and of files FILE:COUNT; -1 when one is malformed. */
-static int read_chars(int count, char **arguments, uint32_t *chars) {
-    int made = 0;
-    for (int i = 0; i < count; i++) {
-        unsigned first, last;
-        char *colon = strrchr(arguments[i], ':');
-        if (colon) {
-            *colon = '\0';
-            int most = atoi(colon + 1),
-                read = most < CHARS_MAX - made ? read_file(arguments[i], most, chars + made) : -1;
-            if (read < 0) return -1;
-            made += read;
-            continue;
-        }
-        if (sscanf(arguments[i], "%x-%x", &first, &last) != 2) return -1;
-        for (unsigned c = first; c <= last && made < CHARS_MAX; c++) chars[made++] = c;
-    }
-    return made;
 }
 
 /* The blend at t, written and read back. */
@@ -178,7 +138,7 @@ int main(int argc, char **argv) {
     if (argc < 5) return 2;
     double t = atof(argv[3]);
     const char *second = strcmp(argv[2], "same") == 0 ? argv[1] : argv[2];
-    int count = read_chars(argc - 4, argv + 4, chars);
+    int count = mt_test_code_points(argc - 4, argv + 4, chars, CHARS_MAX);
     if (count < 0 || mt_font_open(argv[1], &a) != MT_OK || mt_font_open(second, &b) != MT_OK) return 2;
     mt_status status = blend_and_read(a, b, t, chars, count, &made);
     if (status != MT_OK) {

@@ -9,6 +9,7 @@ enum { MOST = 200 };
 static mt_arena arena;
 static mt_sample samples[MOST];
 static mt_segment segments[MOST + 1];
+static int ends[MOST];
 
 static int tear_down(void **state) {
     (void)state;
@@ -24,7 +25,7 @@ static int spline_through(int count, double tolerance) {
     int made = -1;
     const mt_sample *one = samples;
     mt_segment *into = segments + 1;
-    mt_assert_ok(mt_spline(&one, 1, count, tolerance, &arena, &into, &made));
+    mt_assert_ok(mt_spline(&one, 1, count, tolerance, &arena, &into, ends, &made));
     assert_true(made >= 1 && made <= count - 1);
     segments[0] = (mt_segment){1, {{0}}, {(int32_t)lround(samples[0].x), (int32_t)lround(samples[0].y)}};
     mt_point end = segments[made].end;
@@ -117,7 +118,7 @@ static void two_masters(void **state) {
     for (int i = 0; i < 61; i++) line[i] = at(1000 * i, 0, 0);
     const mt_sample *masters[] = {samples, line};
     mt_segment *into[] = {segments + 1, of_line};
-    mt_assert_ok(mt_spline(masters, 2, 61, 200, &arena, into, &together));
+    mt_assert_ok(mt_spline(masters, 2, 61, 200, &arena, into, ends, &together));
     assert_int_equal(together, alone);
     assert_true(worst_distance(61, together) <= 201);
     for (int i = 0; i < together; i++) {

@@ -33,7 +33,7 @@ static mt_border border_of(const mt_shape *shape) {
 
 static mt_walk walk_around(const mt_border *from, int ring, const mt_border *to) {
     mt_walk walk;
-    mt_assert_ok(mt_walk_around(from, ring, to, &manner.walk, &arena, &walk));
+    mt_assert_ok(mt_walk_around(from, ring, to, &manner.walk, NULL, &arena, &walk));
     return walk;
 }
 
