@@ -8,7 +8,7 @@
 #include "layout/positions.h"
 #include "layout/singles.h"
 
-/* Pair adjustment that is to be lookups: mostly one. Where the fonts' classes together would be too many, each font's own
+/* Pair adjustment that is to be lookups: mostly one. Where the fonts' classes together would be too many, or more than they save, each font's own
  * is one, and what they give adds up. */
 typedef struct mt_pair_position {
     mt_made_lookup head; /* without subtables */

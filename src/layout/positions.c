@@ -81,6 +81,15 @@ static mt_status prepare_apart(const mt_pair_source *own, mt_position_job *job, 
 
 enum { TOGETHER_MAX = 1 << 19 }; /* cells: a megabyte where only advances change */
 
+/* Whether the classes of several fonts together come to more values than the fonts' own do: those that refine one another
+ * multiply. Two fonts' are kept together all the same, so that a value between them is rounded once. */
+static bool is_better_apart(const mt_pairs *pairs) {
+    int64_t together = (int64_t)pairs->left.count * pairs->right.count, apart = 0;
+    for (int s = 0; s < pairs->font_count; s++)
+        apart += (int64_t)pairs->fonts[s].rows * pairs->fonts[s].columns;
+    return pairs->font_count > 2 && together > apart;
+}
+
 static mt_status prepare_pairs(mt_position_job *job, const mt_feature_job *feature,
                                mt_pair_position *position) {
     mt_pair_source own[MT_STOPS_MAX];
@@ -89,8 +98,10 @@ static mt_status prepare_pairs(mt_position_job *job, const mt_feature_job *featu
     if (!position->pairs) return MT_NO_MEMORY;
     mt_status status = pair_sources(job, feature, own);
     if (status == MT_OK) status = prepare_together(own, TOGETHER_MAX, job, &position->pairs[0]);
+    bool large = status == MT_TOO_LARGE || (status == MT_OK && is_better_apart(&position->pairs[0]));
+    if (large) return prepare_apart(own, job, position);
     position->count = status == MT_OK;
-    return status == MT_TOO_LARGE ? prepare_apart(own, job, position) : status;
+    return status;
 }
 
 static mt_status prepare_all_pairs(mt_position_job *job) {
