@@ -3,41 +3,14 @@
 #include <math.h>
 
 #include "geometry/limits.h"
-#include "morph/align.h"
 #include "morph/lap.h"
+#include "morph/link_contour.h"
 #include "morph/masters.h"
 #include "morph/rotation.h"
 
 /* How far contours that meet at a cut lie over one another, 1/1000 em: as much as rounding to whole units could part them
  * by, and half as much again. */
 #define LAP 1.5
-
-/* ---- links --------------------------------------------------------------------------------------------- */
-
-/* The corners of the sum, as an alignment of the two pieces. */
-static mt_status align_link(const mt_ring *p, const mt_ring *q, mt_arena *arena, mt_alignment *alignment) {
-    size_t room = (size_t)p->count + (size_t)q->count;
-    mt_corner *corners = mt_arena_new(arena, room, sizeof *corners);
-    mt_link *steps = mt_arena_new(arena, room, sizeof *steps);
-    if (!corners || !steps) return MT_NO_MEMORY;
-    int count = mt_minkowski_corners(p, q, corners);
-    for (int i = 0; i < count; i++) steps[i] = (mt_link){corners[i].p, corners[i].q};
-    *alignment = (mt_alignment){.count = count, .steps = steps};
-    return MT_OK;
-}
-
-static mt_status move_link(const mt_ring *p, const mt_ring *q, const mt_params *params, mt_arena *arena,
-                           mt_masters *masters) {
-    enum { VERTICES_ONLY = 1 };
-    mt_stops a, b;
-    mt_alignment alignment;
-    double chord = mt_grid_units(params->tolerance);
-    mt_status status = mt_ring_stops(p, chord, VERTICES_ONLY, arena, &a);
-    if (status == MT_OK) status = mt_ring_stops(q, chord, VERTICES_ONLY, arena, &b);
-    if (status == MT_OK) status = align_link(p, q, arena, &alignment);
-    if (status != MT_OK) return status;
-    return mt_masters_fit(&a, &b, &alignment, mt_grid_units(params->fit), arena, masters);
-}
 
 mt_status mt_moving_make(const mt_morph *morph, const mt_params *params, mt_arena *arena, mt_moving *moving) {
     size_t room = (size_t)morph->contour_count + (size_t)morph->links.count;
@@ -46,8 +19,9 @@ mt_status mt_moving_make(const mt_morph *morph, const mt_params *params, mt_aren
     for (int i = 0; i < morph->contour_count; i++) made.contours[i] = morph->contours[i];
     for (int i = 0; i < morph->links.count; i++) {
         mt_link link = morph->links.links[i];
-        mt_status status = move_link(&morph->a.pieces.rings[link.a], &morph->b.pieces.rings[link.b], params,
-                                     arena, &made.contours[made.count++]);
+        mt_status status = mt_link_contour(&morph->a.pieces.rings[link.a], &morph->b.pieces.rings[link.b],
+                                           mt_grid_units(params->tolerance), mt_grid_units(params->fit),
+                                           arena, &made.contours[made.count++]);
         if (status != MT_OK) return status;
     }
     mt_status status = mt_moving_lap(morph, mt_grid_units(LAP), arena, &made);

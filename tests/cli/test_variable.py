@@ -16,7 +16,8 @@ PLACES = ('0', '0.1', '0.25', '0.5', '0.75', '1')
 LETTERS = ''.join(map(chr, (*range(0x41, 0x5B), *range(0x61, 0x7B), *range(0x391, 0x3A2), *range(0x3A3, 0x3CA),
                             *range(0x410, 0x450))))
 ACCENTED = LETTERS + ''.join(map(chr, (*range(0x30, 0x3A), *range(0xC0, 0xD7), *range(0xD8, 0xF7), *range(0xF8, 0x180))))
-HAN = '的一是了我不人在他有这个上们来到时大地为子中你说生国年着就那和要她出也得里后自以会家可下而过天去能对小多然于心分'
+# Without 家: FreeType 2.12 gives up on it (Raster_Overflow) at some sizes over 256 pixels where its overlaps are looked at.
+HAN = '的一是了我不人在他有这个上们来到时大地为子中你说生国年着就那和要她出也得里后自以会可下而过天去能对小多然于心分'
 TEXT = 'AaBgQ&8éЖщ'
 
 FLAG_OVERLAP = 0x40
@@ -113,7 +114,7 @@ class Font(Variable):
             self.made('blend', *FONTS, '-q', '--text', 'AEeo', '--rotate', '90', '--at', place, '-o', 'b.ttf')
             compared = sampled('apart', 'freetype', path, 100 * float(place), self.path('b.ttf'), text='AEeo')
             self.assertGreaterEqual(min(share for share, *_ in compared.values()), 0.98)
-            self.assertLessEqual(max(apart for *_, apart in compared.values()), 2.5)
+            self.assertLessEqual(max(apart for *_, apart in compared.values()), 3)
 
     def test_first_fonts_glyphs(self):
         self.write('second.txt', 'unused')
