@@ -287,8 +287,8 @@ class Slider(InChromium):
         self.assertNotEqual(self.picture(), first)
 
     def test_the_ends_are_the_fonts(self):
-        """The text is as wide as HarfBuzz has it in each font. Its letters do not kern."""
-        text, size = 'minimum', 100
+        """The text is as wide as HarfBuzz has it in each font, kerned."""
+        text, size = 'AVATAR Type minimum', 40
         width = '''const text = document.getElementById('text'), range = document.createRange();
             text.style.fontSize = arguments[1];
             text.textContent = arguments[0];

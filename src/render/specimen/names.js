@@ -2,17 +2,26 @@
 /* ---- names and notices ---- */
 
 /* A name is set in the font where the font has all of it. */
-function setName(element, name) {
-  element.textContent = name;
-  element.classList.add(has(name) ? 'face' : 'plain');
+const makeName = name => make('span', {className: has(name) ? 'face' : 'plain', textContent: name});
+
+/* A letter for a font whose name cannot be set in it. */
+function makeLetter() {
+  const letter = ['a', '永', ...characters].find(character => characters.has(character) && !BLANK.test(character));
+  const element = make('span', {className: 'face letter', textContent: letter});
+  element.setAttribute('aria-hidden', true);
+  return element;
+}
+
+function fillEnd(element, source, place) {
+  element.append(makeName(nameOf(source)));
+  if (!has(nameOf(source))) element.append(makeLetter());
+  element.style.setProperty('--at', place);
 }
 
 function fillNames() {
-  setName(at('family'), data.family);
-  for (const [id, source, value] of [['first', first, 0], ['last', last, 100]]) {
-    setName(at(id), nameOf(source));
-    at(id).style.setProperty('--at', value);
-  }
+  at('family').append(makeName(data.family));
+  fillEnd(at('first'), first, 0);
+  fillEnd(at('last'), last, 100);
 }
 
 /* The address of a licence: a link, where it is one of the web's. */
