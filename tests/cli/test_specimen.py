@@ -173,6 +173,12 @@ class Usage(Specimen):
         self.refused(1, 'specimen', cli.SANS_BOLD, cli.SERIF, '--text', '形', '-o', 'x.html', says=['形', 'lacks'])
         self.refused(2, 'specimen', cli.SANS_BOLD, cli.SERIF, '--at', '0.5', '-o', 'x.html', says=['--at'])
 
+    def test_what_is_said(self):
+        self.specimen('--text', 'A', says=[cli.NO_MATH])
+        self.specimen('--text', 'A', '-q', says=[])
+        said = self.made('specimen', cli.SANS_BOLD, cli.SERIF, '--text', 'A', '-v', '-o', 'x.html')
+        self.assertEqual(said[-1], 'morphotype: x.html: 2 fonts')
+
     def test_a_page_is_replaced_whole_or_not_at_all(self):
         font = cli.cut_font(self.path('cut.ttf'), 'AB', blank='B')
         self.write('x.html', 'before')
