@@ -82,6 +82,11 @@ class Browser:
     def find(self, selector):
         return self.call('POST', '/element', {'using': 'css selector', 'value': selector})[ELEMENT]
 
+    def role(self, selector):
+        """The role and the name that assistive technology is told."""
+        element = self.find(selector)
+        return tuple(self.call('GET', f'/element/{element}/computed{what}') for what in ('role', 'label'))
+
     def click(self, selector):
         self.call('POST', f'/element/{self.find(selector)}/click', {})
 

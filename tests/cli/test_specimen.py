@@ -454,6 +454,18 @@ class Grid(InChromium):
         self.browser.click('#only')
         self.assertEqual(len(self.shown()), len(LETTERS + OTHERS))
 
+    def test_everything_has_a_role_and_a_name(self):
+        for selector, role, name in (
+                ('#at', 'slider', 'Place between the fonts'), ('#play', 'button', 'Play'), ('#size', 'slider', 'Size'),
+                ('#text', 'textbox', 'Text to set in the font'), ('#grid', 'listbox', 'Characters'),
+                ('#only', 'checkbox', 'Only what needs a look: 1'), (self.cell('g'), 'option', 'g'),
+                ('#glyph', 'complementary', 'The chosen character'), ('.place', 'button', '0')):
+            self.assertEqual(self.browser.role(selector), (role, name))
+        nodes = self.browser.devtools('Accessibility.getFullAXTree')['nodes']
+        told = [node['description']['value'] for node in nodes
+                if node['role']['value'] == 'option' and node['name']['value'] == 'Q']
+        self.assertEqual(told, ['U+0051: one font draws the character, the other leaves it blank'])
+
     def test_a_click_shows_the_glyph_large(self):
         self.browser.click(self.cell('Q'))
         self.assertEqual((self.text_of('#large'), self.text_of('#code')), ('Q', 'U+0051'))
