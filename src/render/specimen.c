@@ -1,7 +1,7 @@
 #include "render/specimen.h"
 
 #include "font/file.h"
-#include "font/woff2.h"
+#include "font/save.h"
 #include "render/base64.h"
 #include "render/html.h"
 #include "render/specimen_page.h"
@@ -88,18 +88,31 @@ typedef struct mt_making {
     mt_stages stages;
     mt_arena arena;
     uint8_t *font, *packed;
+    size_t font_length;
     mt_report *reports; /* of each two neighbours */
 } mt_making;
 
+/* An mt_font_ready. */
+static mt_status keep_font(const mt_font_data *data, int index, void *user) {
+    mt_making *making = user;
+    mt_specimen *specimen = &making->specimen;
+    (void)index;
+    mt_status status = mt_font_write(data, &making->font, &making->font_length);
+    if (status == MT_OK)
+        status =
+            mt_font_pack(data, making->font, making->font_length, &making->packed, &specimen->packed_length);
+    if (status == MT_OK) specimen->packed = making->packed;
+    return status;
+}
+
 static mt_status make_font(mt_making *making) {
     const mt_specimen_request *request = making->specimen.request;
-    size_t length;
     mt_variable_on_progress(request->variable, show_progress, &making->stages);
-    mt_status status = mt_variable_font(request->variable, &making->font, &length);
+    mt_status status = mt_variable_make(request->variable, keep_font, making);
     mt_variable_on_progress(request->variable, NULL, NULL);
     if (status == MT_OK && request->made) status = request->made(request->user);
     if (status != MT_OK) return status;
-    return mt_specimen_font_read(making->font, length, &making->arena, &making->specimen.font);
+    return mt_specimen_font_read(making->font, making->font_length, &making->arena, &making->specimen.font);
 }
 
 /* The characters that the font has: of three fonts and more, two neighbours may share others. */
@@ -126,14 +139,6 @@ static mt_status judge(mt_making *making) {
     if (!making->reports || !making->specimen.flags) return MT_NO_MEMORY;
     mt_status status = MT_OK;
     for (int i = 0; i < count && status == MT_OK; i++) status = judge_step(making, i);
-    return status;
-}
-
-static mt_status pack(mt_making *making) {
-    mt_specimen *specimen = &making->specimen;
-    mt_status status =
-        mt_woff2_pack(specimen->font.bytes, specimen->font.length, &making->packed, &specimen->packed_length);
-    if (status == MT_OK) specimen->packed = making->packed;
     return status;
 }
 
@@ -166,7 +171,6 @@ mt_status mt_specimen_save(const mt_specimen_request *request, const char *path)
     mt_making making = {.specimen = {.request = request}, .stages = {.request = request}};
     mt_status status = make_font(&making);
     if (status == MT_OK) status = judge(&making);
-    if (status == MT_OK) status = pack(&making);
     if (status == MT_OK) status = write_page(&making.specimen, path);
     end(&making);
     return status;

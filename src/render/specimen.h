@@ -65,7 +65,7 @@ mt_status mt_specimen_html(const mt_specimen *specimen, mt_buffer *text);
 
 /* Whether the extension is that of a page, in either case. */
 bool mt_specimen_is_page(const char *path);
-/* Makes the font and the page, and writes it to `path`, whole or not at all. What mt_variable_font, mt_report_make and
+/* Makes the font and the page, and writes it to `path`, whole or not at all. What mt_variable_make, mt_report_make and
  * mt_file_write give. */
 mt_status mt_specimen_save(const mt_specimen_request *request, const char *path);
 
