@@ -76,14 +76,8 @@ static int check_outputs(const outputs *named) {
     return outcome;
 }
 
-/* An mt_warning. */
-static void warn(const char *line, void *user) {
-    (void)user;
-    say("%s", line);
-}
-
 static int make(cli_work *work, const outputs *named) {
-    mt_status status = work->options->quiet ? MT_OK : mt_blend_warnings(work->blend, warn, NULL);
+    mt_status status = work_warn(work);
     return status == MT_OK ? save(work, named) : work_fail(work, status);
 }
 

@@ -10,5 +10,6 @@ extern const cli_command sheet_command;    /* sheet.c */
 extern const cli_command inspect_command;  /* inspect.c */
 extern const cli_command report_command;   /* report.c */
 extern const cli_command variable_command; /* variable.c */
+extern const cli_command specimen_command; /* specimen.c */
 
 #endif

@@ -4,12 +4,6 @@
 #include "messages.h"
 #include "work.h"
 
-/* An mt_warning. */
-static void warn(const char *line, void *user) {
-    (void)user;
-    say("%s", line);
-}
-
 static int save(cli_work *work) {
     const cli_options *options = work->options;
     size_t length;
@@ -23,7 +17,7 @@ static int save(cli_work *work) {
 }
 
 static int make(cli_work *work) {
-    mt_status status = work->options->quiet ? MT_OK : mt_variable_warnings(work->variable, warn, NULL);
+    mt_status status = work_warn(work);
     return status == MT_OK ? save(work) : work_fail(work, status);
 }
 

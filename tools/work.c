@@ -293,6 +293,18 @@ int work_begin_variable(const cli_options *options, cli_work *work) {
     return outcome == DONE ? make_variable(work) : outcome;
 }
 
+/* An mt_warning. */
+static void warn(const char *line, void *user) {
+    (void)user;
+    say("%s", line);
+}
+
+mt_status work_warn(const cli_work *work) {
+    if (work->options->quiet) return MT_OK;
+    if (work->variable) return mt_variable_warnings(work->variable, warn, NULL);
+    return mt_blend_warnings(work->blend, warn, NULL);
+}
+
 mt_status work_made(void *user) {
     cli_work *work = user;
     work->stopped = work_failures(work) != DONE;

@@ -50,12 +50,16 @@ static bool has_overlaps(const mt_font_data *data) {
     return false;
 }
 
+mt_status mt_font_pack(const mt_font_data *data, const uint8_t *font, size_t length, uint8_t **packed,
+                       size_t *packed_length) {
+    return has_overlaps(data) ? mt_woff2_pack_plain(font, length, packed, packed_length)
+                              : mt_woff2_pack(font, length, packed, packed_length);
+}
+
 static mt_status pack(const mt_font_data *data, mt_product *product) {
     uint8_t *packed;
     size_t length;
-    mt_status status = has_overlaps(data)
-                           ? mt_woff2_pack_plain(product->bytes, product->length, &packed, &length)
-                           : mt_woff2_pack(product->bytes, product->length, &packed, &length);
+    mt_status status = mt_font_pack(data, product->bytes, product->length, &packed, &length);
     if (status != MT_OK) return status;
     mt_bytes_free(product->bytes);
     product->bytes = packed;

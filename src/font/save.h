@@ -41,6 +41,11 @@ typedef struct mt_saving {
     size_t *lengths; /* filled in with the bytes that each file or directory has, unless NULL */
 } mt_saving;
 
+/* The bytes of a font as WOFF2, for mt_bytes_free, in the way that keeps what `data`, of which they were written, asks for.
+ * MT_TOO_LARGE, MT_NO_MEMORY. */
+mt_status mt_font_pack(const mt_font_data *data, const uint8_t *font, size_t length, uint8_t **packed,
+                       size_t *packed_length);
+
 /* Saves them all or none: when one cannot be put in its place, those that were go again. `failed`, unless NULL, says
  * which could not be written or is too large; -1 for other errors. What mt_blend_fonts gives, and MT_UNKNOWN_FORMAT,
  * MT_CANNOT_WRITE (errno says why). */

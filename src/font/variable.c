@@ -64,6 +64,10 @@ mt_status mt_variable_set_hints(mt_variable *variable, const mt_hint_table *tabl
     return status;
 }
 
+const mt_hint_index *mt_variable_hints(const mt_variable *variable, int step) {
+    return mt_blend_hints(variable->steps[step]);
+}
+
 mt_status mt_variable_warnings(const mt_variable *variable, mt_warning call, void *user) {
     mt_status status = MT_OK;
     for (int i = 0; i + 1 < variable->count && status == MT_OK; i++)

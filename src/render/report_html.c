@@ -1,8 +1,8 @@
 /* The report as a page: one file that needs no script and no network, in light and dark, on wide and narrow screens. */
 #include "font/font.h"
-#include "font/utf.h"
 #include "font/workers.h"
 #include "geometry/limits.h"
+#include "render/html.h"
 #include "render/report.h"
 
 #include <inttypes.h>
@@ -37,29 +37,12 @@ __attribute__((format(printf, 2, 3))) static void put_format(mt_page *page, cons
     put(page, markup);
 }
 
-static bool is_control(uint32_t code_point) {
-    return code_point < ' ' || (code_point >= 0x7f && code_point < 0xa0);
-}
-
 static void put_character(mt_page *page, uint32_t code_point) {
-    char bytes[5] = "";
-    switch (code_point) {
-    case '&': put(page, "&amp;"); return;
-    case '<': put(page, "&lt;"); return;
-    case '>': put(page, "&gt;"); return;
-    case '"': put(page, "&quot;"); return;
-    case '\'': put(page, "&#39;"); return;
-    default: mt_utf8_put(is_control(code_point) ? MT_REPLACEMENT : code_point, bytes); put(page, bytes);
-    }
+    if (page->status == MT_OK) page->status = mt_html_character(page->text, code_point);
 }
 
-/* Text of any origin: bytes that are no UTF-8, and control characters, become U+FFFD. */
 static void put_text(mt_page *page, const char *utf8) {
-    while (*utf8) {
-        uint32_t code_point = MT_REPLACEMENT;
-        if (!mt_utf8_next(&utf8, &code_point)) utf8++;
-        put_character(page, code_point);
-    }
+    if (page->status == MT_OK) page->status = mt_html_text(page->text, utf8);
 }
 
 /* "+1.3 %"; digits by hand, since the C library's point is another one in some locales. */
@@ -227,7 +210,7 @@ static void put_figures(mt_page *page, const mt_report_glyph *glyph) {
 
 static void put_row(mt_page *page, const mt_report_glyph *glyph) {
     put(page, "<tr><th scope=\"row\"><bdi class=\"char\">");
-    if (!is_control(glyph->code_point)) put_character(page, glyph->code_point);
+    if (!mt_html_is_control(glyph->code_point)) put_character(page, glyph->code_point);
     put_format(page, "</bdi><small>U+%04lX</small></th>", (unsigned long)glyph->code_point);
     if (glyph->status == MT_OK)
         put_figures(page, glyph);

@@ -1,0 +1,62 @@
+/* morphotype specimen: a page on which the variable font of two fonts, or more, is tried out. */
+#include "render/specimen.h"
+#include "commands.h"
+#include "messages.h"
+#include "work.h"
+
+static int save(cli_work *work) {
+    const cli_options *options = work->options;
+    const mt_specimen_request request = {.variable = work->variable,
+                                         .fonts = work->fonts,
+                                         .font_count = options->font_count,
+                                         .params = &options->params,
+                                         .text = options->text,
+                                         .made = work_made,
+                                         .user = work,
+                                         .progress = progress_draw,
+                                         .progress_user = &work->bar};
+    mt_status status = mt_specimen_save(&request, options->output);
+    if (status != MT_OK) return work_fail(work, status);
+    if (options->verbose) say("%s: %d fonts", options->output, options->font_count);
+    return DONE;
+}
+
+static int make(cli_work *work) {
+    mt_status status = work_warn(work);
+    return status == MT_OK ? save(work) : work_fail(work, status);
+}
+
+static int check(const cli_options *options) {
+    if (!options->output) return misuse(options->command, "-o OUT.html is wanted");
+    if (!mt_specimen_is_page(options->output))
+        return misuse(options->command, "-o %s: specimen writes .html files", options->output);
+    return output_check(options->output);
+}
+
+static int run(cli_options *options) {
+    cli_work work;
+    int outcome = check(options);
+    if (outcome != DONE) return outcome;
+    outcome = work_begin_variable(options, &work);
+    if (outcome == DONE) outcome = make(&work);
+    work_end(&work);
+    return outcome;
+}
+
+const cli_command specimen_command = {
+    .name = "specimen",
+    .summary = "a page to try out the variable font of two fonts, or more",
+    .help =
+        "usage: morphotype specimen FONT FONT [FONT...] -o OUT.html [OPTION...]\n"
+        "\n"
+        "Makes the font that variable makes, of the same characters, and a page of HTML that has it in it: "
+        "a\n"
+        "slider and a play button for its axis, a text to type in, its sizes, and all characters, with "
+        "those\n"
+        "marked that report flags. --text is the text that the page begins with, too. The page is one file\n"
+        "and fetches nothing.\n",
+    .takes = "otcFGS",
+    .fonts_min = 2,
+    .fonts_max = MT_VARIABLE_FONTS_MAX,
+    .run = run,
+};
