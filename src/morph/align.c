@@ -1,6 +1,7 @@
 #include "morph/align.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "geometry/limits.h"
 
@@ -105,43 +106,120 @@ typedef struct mt_grid {
     int n, m; /* stops of A, of B */
     int start_a, start_b;
     float *prices;  /* n × m, of each stop of A with each of B */
-    double *row;    /* of costs, m + 1 of them */
+    float *turned;  /* a row of them from start_b on, and its first again, m + 1 */
+    float *row;     /* of costs, m + 1 of them */
+    float *last;    /* the row before */
+    float *down;    /* of a row, the costs of coming from the one before */
     uint8_t *moves; /* (n + 1) × (m + 1): how each cell is best reached */
 } mt_grid;
 
-static void fill_prices(mt_grid *g, const mt_tariff *tariff, const mt_views *a, const mt_views *b) {
-    for (int i = 0; i < g->n; i++)
-        for (int j = 0; j < g->m; j++)
-            g->prices[(size_t)i * (size_t)g->m + (size_t)j] =
-                (float)mt_price(tariff, &a->views[i], &b->views[j]);
+/* The views of B's stops, column by column. */
+typedef struct mt_columns {
+    float *x, *y, *in_x, *in_y, *out_x, *out_y, *turn_x, *turn_y;
+} mt_columns;
+
+static mt_status columns_of(const mt_views *views, mt_arena *arena, mt_columns *c) {
+    size_t m = (size_t)views->count;
+    float *room = mt_arena_new(arena, 8 * m, sizeof *room);
+    if (!room) return MT_NO_MEMORY;
+    *c = (mt_columns){room,         room + m,     room + 2 * m, room + 3 * m,
+                      room + 4 * m, room + 5 * m, room + 6 * m, room + 7 * m};
+    for (size_t j = 0; j < m; j++) {
+        const mt_view *view = &views->views[j];
+        c->x[j] = (float)view->x;
+        c->y[j] = (float)view->y;
+        c->in_x[j] = (float)view->in_x;
+        c->in_y[j] = (float)view->in_y;
+        c->out_x[j] = (float)view->out_x;
+        c->out_y[j] = (float)view->out_y;
+        c->turn_x[j] = (float)view->turn_x;
+        c->turn_y[j] = (float)view->turn_y;
+    }
+    return MT_OK;
+}
+
+/* mt_price of one stop of A with all of B's. */
+static void price_row(const mt_tariff *tariff, const mt_view *view, const mt_columns *c, int m,
+                      float *prices) {
+    const float x = (float)view->x, y = (float)view->y, in_x = (float)view->in_x, in_y = (float)view->in_y,
+                out_x = (float)view->out_x, out_y = (float)view->out_y, turn_x = (float)view->turn_x,
+                turn_y = (float)view->turn_y;
+    const float direction = (float)tariff->direction / 4, distance = (float)tariff->distance,
+                corner = (float)tariff->corner / 2;
+    for (int j = 0; j < m; j++) {
+        float same = in_x * c->in_x[j] + in_y * c->in_y[j] + out_x * c->out_x[j] + out_y * c->out_y[j];
+        float alike = turn_x * c->turn_x[j] + turn_y * c->turn_y[j];
+        float dx = x - c->x[j], dy = y - c->y[j];
+        prices[j] = direction * (2 - same) + distance * sqrtf(dx * dx + dy * dy) + corner * (1 - alike);
+    }
+}
+
+static mt_status fill_prices(mt_grid *g, const mt_tariff *tariff, const mt_views *a, const mt_views *b,
+                             mt_arena *arena) {
+    mt_columns columns;
+    mt_status status = columns_of(b, arena, &columns);
+    for (int i = 0; status == MT_OK && i < g->n; i++)
+        price_row(tariff, &a->views[i], &columns, g->m, g->prices + (size_t)i * (size_t)g->m);
+    return status;
 }
 
 static float price_at(const mt_grid *g, int i, int j) {
     return g->prices[(size_t)i * (size_t)g->m + (size_t)j];
 }
 
-/* The least cost of a way from (start_a, start_b) once around both rings; INFINITY once it is sure to come to `most` or more. A step by which both stops move on counts twice, so that
- * all ways weigh the same, however many steps they have (H. Sakoe and S. Chiba, "Dynamic programming algorithm optimization
- * for spoken word recognition", 1978, the symmetric form). */
-static double fill(mt_grid *g, double most) {
+#define WAIT_PRICE ((float)MT_WAIT_PRICE)
+
+/* The prices of row i in the order of the walk. */
+static const float *turn_row(mt_grid *g, int i) {
+    const float *prices = g->prices + (size_t)((g->start_a + i) % g->n) * (size_t)g->m;
+    size_t behind = (size_t)(g->m - g->start_b);
+    memcpy(g->turned, prices + g->start_b, behind * sizeof *prices);
+    memcpy(g->turned + behind, prices, (size_t)g->start_b * sizeof *prices);
+    g->turned[g->m] = prices[g->start_b];
+    return g->turned;
+}
+
+/* From the row before: A's stop moves on, alone or with B's. */
+static void come_down(const mt_grid *g, const float *restrict prices, uint8_t *restrict moves) {
+    const float *restrict last = g->last;
+    float *restrict down = g->down;
+    down[0] = last[0] + WAIT_PRICE + prices[0];
+    moves[0] = A_MOVES;
+    for (int j = 1; j <= g->m; j++) {
+        float above = last[j] + WAIT_PRICE + prices[j], both = last[j - 1] + 2 * prices[j];
+        down[j] = above < both ? above : both;
+        moves[j] = above < both ? A_MOVES : BOTH;
+    }
+}
+
+/* Along the row: B's stop moves on alone, where that is cheaper. Returns the least cost in the row. Each cost waits for the one before
+ * it, so that nothing else is done in that loop. */
+static float go_along(const mt_grid *g, const float *restrict prices, uint8_t *restrict moves) {
+    const float *restrict down = g->down;
+    float *restrict row = g->row, best = INFINITY, least = INFINITY;
+    for (int j = 0; j <= g->m; j++) {
+        float left = best + (WAIT_PRICE + prices[j]);
+        best = left < down[j] ? left : down[j];
+        row[j] = best;
+    }
+    for (int j = 0; j <= g->m; j++) moves[j] = row[j] < down[j] ? B_MOVES : moves[j];
+    for (int j = 0; j <= g->m; j++) least = row[j] < least ? row[j] : least;
+    return least;
+}
+
+/* The least cost of a way from (start_a, start_b) once around both rings; INFINITY once it is sure to come to `most` or more. A
+ * step by which both stops move on counts twice, so that all ways weigh the same, however many steps they have (H. Sakoe and S.
+ * Chiba, "Dynamic programming algorithm optimization for spoken word recognition", 1978, the symmetric form). */
+static float fill(mt_grid *g, float most) {
     for (int i = 0; i <= g->n; i++) {
-        const float *prices = g->prices + (size_t)((g->start_a + i) % g->n) * (size_t)g->m;
+        const float *prices = turn_row(g, i);
         uint8_t *moves = g->moves + (size_t)i * (size_t)(g->m + 1);
-        double diagonal = INFINITY, least = INFINITY; /* the cost at (i - 1, j - 1), and of the row */
-        for (int j = 0, k = g->start_b; j <= g->m; j++) {
-            double price = (double)prices[k];
-            double above = i > 0 ? g->row[j] + MT_WAIT_PRICE + price : INFINITY;
-            double left = j > 0 ? g->row[j - 1] + MT_WAIT_PRICE + price : INFINITY;
-            double best = i || j ? diagonal + 2 * price : price;
-            moves[j] = BOTH;
-            if (above < best) best = above, moves[j] = A_MOVES;
-            if (left < best) best = left, moves[j] = B_MOVES;
-            diagonal = i > 0 ? g->row[j] : INFINITY;
-            g->row[j] = best;
-            if (best < least) least = best;
-            k = k + 1 == g->m ? 0 : k + 1;
-        }
-        if (least >= most) return INFINITY; /* every way comes through this row */
+        float *swap = g->last;
+        g->last = g->row;
+        g->row = swap;
+        if (i > 0) come_down(g, prices, moves);
+        for (int j = 0; i == 0 && j <= g->m; j++) g->down[j] = j ? INFINITY : prices[0];
+        if (go_along(g, prices, moves) >= most) return INFINITY; /* every way comes through this row */
     }
     return g->row[g->m];
 }
@@ -206,10 +284,15 @@ static mt_status start_grid(const mt_views *a, const mt_views *b, const mt_tarif
     *grid = (mt_grid){.n = a->count,
                       .m = b->count,
                       .prices = mt_arena_new(arena, cells, sizeof(float)),
-                      .row = mt_arena_new(arena, (size_t)b->count + 1, sizeof(double)),
+                      .turned = mt_arena_new(arena, (size_t)b->count + 1, sizeof(float)),
+                      .row = mt_arena_new(arena, (size_t)b->count + 1, sizeof(float)),
+                      .last = mt_arena_new(arena, (size_t)b->count + 1, sizeof(float)),
+                      .down = mt_arena_new(arena, (size_t)b->count + 1, sizeof(float)),
                       .moves = mt_arena_new(arena, cells, 1)};
-    if (!grid->prices || !grid->row || !grid->moves) return MT_NO_MEMORY;
-    fill_prices(grid, tariff, a, b);
+    if (!grid->prices || !grid->turned || !grid->row || !grid->last || !grid->down || !grid->moves)
+        return MT_NO_MEMORY;
+    mt_status status = fill_prices(grid, tariff, a, b, arena);
+    if (status != MT_OK) return status;
     pin(grid, pins);
     grid->start_a = surest_stop(grid);
     return MT_OK;
@@ -224,19 +307,19 @@ static mt_status align(const mt_stops *stops_a, mt_box box_a, const mt_stops *st
     if (status == MT_OK) status = views_of(stops_b, box_b, arena, &b);
     if (status == MT_OK) status = start_grid(&a, &b, tariff, pins, arena, &grid);
     if (status != MT_OK) return status;
-    mt_alignment made = {0, mt_arena_new(arena, (size_t)a.count + (size_t)b.count, sizeof(mt_link)),
-                         INFINITY};
+    mt_alignment made = {.steps = mt_arena_new(arena, (size_t)a.count + (size_t)b.count, sizeof(mt_link))};
     if (!made.steps) return MT_NO_MEMORY;
     int partners[STARTS];
+    float least = INFINITY;
     best_partners(&grid, grid.start_a, partners);
     for (int k = 0; k < STARTS && partners[k] >= 0; k++) {
         grid.start_b = partners[k];
-        double cost = fill(&grid, made.cost);
-        if (cost >= made.cost) continue;
-        made.cost = cost;
+        float cost = fill(&grid, least);
+        if (cost >= least) continue;
+        least = cost;
         read_back(&grid, &made);
     }
-    made.cost /= a.count + b.count;
+    made.cost = (double)least / (a.count + b.count);
     *alignment = made;
     return MT_OK;
 }

@@ -10,6 +10,9 @@
 
 #define WAIT_PRICE ((float)MT_WAIT_PRICE)
 
+/* A walk that only has to tell where to start takes each so many-th stop of its ring. */
+enum { START_STRIDE = 3 };
+
 /* How a cell was reached. From a bridge on, it is the bridge's number. */
 enum { START, STAY, BOTH, ALONG, BRIDGE };
 
@@ -39,6 +42,8 @@ typedef struct mt_walker {
     mt_columns columns;
     int first, n;    /* the stops of the ring */
     int start;       /* the stop of the ring to start at */
+    int stride;      /* from one row to the next: 1, or each so many-th stop */
+    int rows;        /* after the first; the last is the first stop again */
     int *before;     /* of each stop of the border, the one before it on its ring … */
     int *after;      /* … and the one after it */
     int *source;     /* of each bridge, the stop that it leaves */
@@ -60,6 +65,11 @@ static int32_t *row_of(const mt_walker *w, int i) {
     return w->how + (size_t)i * (size_t)w->to->count;
 }
 
+/* The stop of the ring in row i; in the last it is that of the first again. */
+static int here_at(const mt_walker *w, int i) {
+    return w->first + (i < w->rows ? w->start + i * w->stride : w->start) % w->n;
+}
+
 static int stretch_count(const mt_walker *w) {
     return w->first_stretch[w->to->ring_count];
 }
@@ -76,13 +86,14 @@ static void look_later(mt_walker *w, int j) {
 /* As mt_price, for the stops of one stretch, column by column. */
 static void price_stretch(mt_walker *w, const mt_view *view, const mt_stretch *stretch) {
     const mt_columns *c = &w->columns;
+    float *restrict price = w->price;
     const float x = (float)view->x, y = (float)view->y, in_x = (float)view->in_x, in_y = (float)view->in_y,
                 out_x = (float)view->out_x, out_y = (float)view->out_y;
     const float direction = (float)w->tariff.direction / 4, distance = (float)w->tariff.distance;
     for (int j = stretch->first; j < stretch->end; j++) {
         float same = in_x * c->in_x[j] + in_y * c->in_y[j] + out_x * c->out_x[j] + out_y * c->out_y[j];
         float dx = x - c->x[j], dy = y - c->y[j];
-        w->price[j] = direction * (2 - same) + distance * sqrtf(dx * dx + dy * dy);
+        price[j] = direction * (2 - same) + distance * sqrtf(dx * dx + dy * dy);
     }
 }
 
@@ -93,7 +104,7 @@ static bool is_in_sight(const mt_walker *w, const mt_view *here, const mt_stretc
 
 /* Looks around from stop i of the ring: prices for what is in sight, none for what no longer is. */
 static void look_around(mt_walker *w, int i) {
-    const mt_view *here = &w->from->views[w->first + (w->start + i) % w->n];
+    const mt_view *here = &w->from->views[here_at(w, i)];
     bool *seen = w->seen[i % 2];
     const bool *last = w->seen[(i + 1) % 2];
     float *cost = w->cost[i % 2];
@@ -192,9 +203,9 @@ static void settle_row(mt_walker *w, int i) {
 
 /* From the row before to a stretch, the ring's walker alone or both going on. */
 static void go_on_to(const mt_walker *w, int i, const mt_stretch *stretch) {
-    const float *last = w->cost[(i + 1) % 2], *price = w->price;
-    float *cost = w->cost[i % 2];
-    int32_t *how = row_of(w, i);
+    const float *restrict last = w->cost[(i + 1) % 2], *restrict price = w->price;
+    float *restrict cost = w->cost[i % 2];
+    int32_t *restrict how = row_of(w, i);
     int first = stretch->first;
     float both = last[w->before[first]], stay = last[first] + WAIT_PRICE;
     cost[first] = (stay < both ? stay : both) + price[first];
@@ -224,11 +235,11 @@ static void fill(mt_walker *w, int there) {
         row_of(w, 0)[j] = START;
     }
     settle_row(w, 0);
-    for (int i = 1; i <= w->n; i++) next_row(w, i);
+    for (int i = 1; i <= w->rows; i++) next_row(w, i);
 }
 
 static int cheapest_end(const mt_walker *w) {
-    const float *cost = w->cost[w->n % 2];
+    const float *cost = w->cost[w->rows % 2];
     int best = 0;
     for (int j = 1; j < w->to->count; j++)
         if (cost[j] < cost[best]) best = j;
@@ -236,20 +247,22 @@ static int cheapest_end(const mt_walker *w) {
 }
 
 /* The end of a lap, from any stop when `there` is -1, with as much in sight as it takes. */
-static int walk_lap(mt_walker *w, int there) {
+static int walk_lap(mt_walker *w, int there, int stride) {
+    w->stride = stride;
+    w->rows = (w->n + stride - 1) / stride;
     for (;; w->sight *= 2) {
         fill(w, there);
         int end = there < 0 ? cheapest_end(w) : there;
-        if (w->cost[w->n % 2][end] < INFINITY) return end;
+        if (w->cost[w->rows % 2][end] < INFINITY) return end;
     }
 }
 
 /* Reads the way back from the end; writes it when there is room, and returns how many paces it has. */
 static int read_back(const mt_walker *w, int end, mt_pace *paces, int room) {
-    int count = 0, i = w->n, j = end;
+    int count = 0, i = w->rows, j = end;
     for (;;) {
         int32_t how = row_of(w, i)[j];
-        int here = w->first + (w->start + i) % w->n;
+        int here = here_at(w, i);
         if (paces) paces[room - 1 - count] = (mt_pace){here, j, how >= BRIDGE ? how - BRIDGE : -1};
         count++;
         if (how == START) return count;
@@ -385,9 +398,9 @@ static mt_pace surest(const mt_walker *w, const mt_pace *paces, int count) {
     return best;
 }
 
-/* Where a closed walk may start: where an open one is surest. */
+/* Where a closed walk may start: where an open one, in longer strides, is surest. */
 static mt_status find_start(mt_walker *w, mt_arena *arena, mt_pace *start) {
-    int end = walk_lap(w, -1), count = read_back(w, end, NULL, 0);
+    int end = walk_lap(w, -1, START_STRIDE), count = read_back(w, end, NULL, 0);
     mt_pace *paces = mt_arena_new(arena, (size_t)count, sizeof *paces);
     if (!paces) return MT_NO_MEMORY;
     read_back(w, end, paces, count);
@@ -403,9 +416,9 @@ mt_status mt_walk_around(const mt_border *from, int ring, const mt_border *to, c
     if (status == MT_OK && !start) status = find_start(&w, arena, &first);
     if (status != MT_OK) return status;
     w.start = first.here - w.first;
-    walk_lap(&w, first.there);
+    walk_lap(&w, first.there, 1);
     *walk = (mt_walk){.count = read_back(&w, first.there, NULL, 0)};
-    walk->price = (double)w.cost[w.n % 2][first.there] / walk->count;
+    walk->price = (double)w.cost[w.rows % 2][first.there] / walk->count;
     walk->paces = mt_arena_new(arena, (size_t)walk->count, sizeof *walk->paces);
     if (!walk->paces) return MT_NO_MEMORY;
     read_back(&w, first.there, walk->paces, walk->count);
