@@ -17,6 +17,7 @@ typedef struct mt_clusters {
     int *of;       /* each contour's, numbered by its first contour */
     double *area;  /* of each cluster, half-way, grid units squared */
     mt_box *boxes; /* of each cluster, on all of its way */
+    int *alone;    /* of each cluster, its components at each place; 0: not counted yet */
 } mt_clusters;
 
 /* ---- clusters ------------------------------------------------------------------------------------------------ */
@@ -72,10 +73,13 @@ static mt_box way_box(const mt_masters *m) {
 static mt_status gather(const mt_morph *m, mt_arena *arena, mt_clusters *clusters) {
     size_t count = (size_t)m->contour_count;
     int *homes = mt_arena_new(arena, 2 * count, sizeof *homes);
-    *clusters =
-        (mt_clusters){m, mt_arena_new(arena, count, sizeof(int)), mt_arena_new(arena, count, sizeof(double)),
-                      mt_arena_new(arena, count, sizeof(mt_box))};
-    if (!homes || !clusters->of || !clusters->area || !clusters->boxes) return MT_NO_MEMORY;
+    *clusters = (mt_clusters){.morph = m,
+                              .of = mt_arena_new(arena, count, sizeof(int)),
+                              .area = mt_arena_new(arena, count, sizeof(double)),
+                              .boxes = mt_arena_new(arena, count, sizeof(mt_box)),
+                              .alone = mt_arena_new(arena, count, (MT_CENSUS_STEPS + 1) * sizeof(int))};
+    if (!homes || !clusters->of || !clusters->area || !clusters->boxes || !clusters->alone)
+        return MT_NO_MEMORY;
     for (int i = 0; i < m->contour_count; i++) {
         homes[2 * i] = home_of(&m->a, &m->contours[i].a);
         homes[2 * i + 1] = home_of(&m->b, &m->contours[i].b);
@@ -95,6 +99,10 @@ static mt_status gather(const mt_morph *m, mt_arena *arena, mt_clusters *cluster
 
 /* ---- where they touch ---------------------------------------------------------------------------------------- */
 
+static double place_at(int place) {
+    return (double)place / (MT_CENSUS_STEPS + 1);
+}
+
 /* The contours of one cluster, or of two, at one place: how many components they are. */
 static mt_status components_of(const mt_clusters *c, int one, int other, double t, double chord,
                                mt_arena *arena, int *count) {
@@ -112,13 +120,23 @@ static mt_status components_of(const mt_clusters *c, int one, int other, double 
     return status;
 }
 
-static mt_status touch_at(const mt_clusters *c, int p, int q, double t, double chord, mt_arena *arena,
+/* Of a cluster alone; it has as many wherever it stands. */
+static mt_status count_alone(const mt_clusters *c, int cluster, int place, double chord, mt_arena *arena,
+                             int *count) {
+    int *known = &c->alone[cluster * (MT_CENSUS_STEPS + 1) + place];
+    mt_status status = MT_OK;
+    if (*known == 0) status = components_of(c, cluster, cluster, place_at(place), chord, arena, known);
+    *count = *known;
+    return status;
+}
+
+static mt_status touch_at(const mt_clusters *c, int p, int q, int place, double chord, mt_arena *arena,
                           bool *touch) {
     mt_arena_place before = mt_arena_mark(arena);
     int alone = 0, beside = 0, together = 0;
-    mt_status status = components_of(c, p, p, t, chord, arena, &alone);
-    if (status == MT_OK) status = components_of(c, q, q, t, chord, arena, &beside);
-    if (status == MT_OK) status = components_of(c, p, q, t, chord, arena, &together);
+    mt_status status = count_alone(c, p, place, chord, arena, &alone);
+    if (status == MT_OK) status = count_alone(c, q, place, chord, arena, &beside);
+    if (status == MT_OK) status = components_of(c, p, q, place_at(place), chord, arena, &together);
     *touch = together < alone + beside;
     mt_arena_rewind(arena, before);
     return status;
@@ -130,7 +148,7 @@ static mt_status do_touch(const mt_clusters *c, int p, int q, double chord, mt_a
     *touch = false;
     if (!meet(c->boxes[p], c->boxes[q])) return MT_OK;
     for (int i = 1; status == MT_OK && !*touch && i <= MT_CENSUS_STEPS; i++)
-        status = touch_at(c, p, q, (double)i / (MT_CENSUS_STEPS + 1), chord, arena, touch);
+        status = touch_at(c, p, q, i, chord, arena, touch);
     return status;
 }
 

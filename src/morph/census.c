@@ -58,6 +58,9 @@ static mt_status stray_at(const mt_morph *morph, double t, const mt_params *para
         mt_census at = mt_census_of(&shape);
         by->parts = mt_count_excess(at.components, a.components, b.components) +
                     mt_count_excess(at.holes, a.holes, b.holes);
+        by->merged = at.components < a.components && at.components < b.components
+                         ? mt_count_excess(at.components, a.components, b.components)
+                         : 0;
         by->ink = mt_area_excess(at.area, a.area, b.area);
     }
     mt_arena_rewind(arena, before);
@@ -76,6 +79,7 @@ mt_status mt_morph_strays(const mt_morph *morph, const mt_params *params, mt_are
         status = stray_at(morph, t, params, arena, &here);
         if (status == MT_OK && here.parts > 0) status = stray_at(morph, t, &fine, arena, &here);
         all.parts += here.parts;
+        all.merged += here.merged;
         all.ink = fmax(all.ink, here.ink);
     }
     if (status == MT_OK) *by = all;

@@ -22,6 +22,7 @@ double mt_area_excess(double area, double a, double b);
 /* How far a morph strays, over MT_CENSUS_STEPS places between its ends. */
 typedef struct mt_straying {
     int parts; /* by how many components and holes its in-betweens are out of the ends' range, all added up */
+    int merged; /* of these, the components that are fewer than at either end */
     double ink; /* how far the ink is, at most, relative to the larger end */
 } mt_straying;
 

@@ -6,6 +6,7 @@
 #include "geometry/union.h"
 #include "morph/align.h"
 #include "morph/holes.h"
+#include "morph/known.h"
 #include "morph/masters.h"
 #include "morph/smooth.h"
 
@@ -20,21 +21,38 @@
 
 /* ---- two rings ----------------------------------------------------------------------------------------- */
 
-static mt_status join_rings(mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters) {
+/* Aligns two rings and fits a contour to them. *cost: of the alignment. */
+static mt_status fit_rings(const mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters,
+                           double *cost) {
     mt_stops a, b;
     mt_links pins;
     mt_alignment alignment;
-    double chord = j->terms->manner.chord;
+    double chord = j->terms->manner.chord, fit = mt_grid_units(j->terms->params->fit);
     mt_status status = mt_ring_stops(p, chord, STOPS_A_RING, j->arena, &a);
     if (status == MT_OK) status = mt_ring_stops(q, chord, STOPS_A_RING, j->arena, &b);
     if (status == MT_OK) status = mt_pins_of(j->terms->hints, &a, &b, j->arena, &pins);
     if (status == MT_OK)
         status = mt_align(&a, j->a.box, &b, j->b.box, &j->terms->manner.align, &pins, j->arena, &alignment);
     if (status != MT_OK) return status;
-    j->dearest = fmax(j->dearest, alignment.cost);
-    double fit = mt_grid_units(j->terms->params->fit);
+    *cost = alignment.cost;
     status = mt_masters_fit(&a, &b, &alignment, fit, j->arena, masters);
     return status == MT_OK ? mt_masters_smooth(masters, SMOOTHING * fit, j->arena) : status;
+}
+
+/* The same, where it has not been done before. Hints pin rings otherwise in each case. */
+static mt_status join_rings(mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters) {
+    mt_known *known = j->terms->hints->count ? NULL : j->terms->manner.known;
+    mt_known_case of = {p, q, j->a.box, j->b.box, j->terms->manner.align, true};
+    const mt_known_pair *before = mt_known_find(known, &of);
+    double cost = before ? before->cost : 0;
+    mt_status status = MT_OK;
+    if (before)
+        *masters = before->masters;
+    else
+        status = fit_rings(j, p, q, masters, &cost);
+    if (status == MT_OK && !before) status = mt_known_add(known, &of, cost, masters, j->arena);
+    j->dearest = fmax(j->dearest, cost);
+    return status;
 }
 
 /* ---- whether it can be drawn --------------------------------------------------------------------------- */

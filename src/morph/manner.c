@@ -7,12 +7,12 @@
  * distance, the less it minds what is a corner and what a side: strokes keep clear of each other, and are drawn worse. So
  * that comes last. */
 static const mt_manner manners[] = {
-    {0, {3, 4, 1}, {1, 4, 0}, 12, true},    {0, {3, 4, 1}, {1, 1, 0}, 12, false},
-    {0, {3, 4, 1}, {1, 12, 0}, 20, false},  {0, {3, 16, 1}, {1, 1, 0}, 20, false},
-    {0, {3, 4, 1}, {1, 1, 0}, 20, true},    {0, {3, 4, 1}, {1, 12, 0}, 12, true},
-    {0, {3, 16, 1}, {1, 12, 0}, 20, false}, {0, {3, 16, 1}, {1, 1, 0}, 20, true},
-    {0, {3, 16, 1}, {1, 4, 0}, 12, true},   {0, {3, 32, 1}, {1, 1, 0}, 20, false},
-    {0, {3, 32, 1}, {1, 4, 0}, 12, true},   {0, {3, 2, 1}, {1, 1, 0}, 20, true},
+    {0, {3, 4, 1}, {1, 4, 0}, 12, true, NULL},    {0, {3, 4, 1}, {1, 1, 0}, 12, false, NULL},
+    {0, {3, 4, 1}, {1, 12, 0}, 20, false, NULL},  {0, {3, 16, 1}, {1, 1, 0}, 20, false, NULL},
+    {0, {3, 4, 1}, {1, 1, 0}, 20, true, NULL},    {0, {3, 4, 1}, {1, 12, 0}, 12, true, NULL},
+    {0, {3, 16, 1}, {1, 12, 0}, 20, false, NULL}, {0, {3, 16, 1}, {1, 1, 0}, 20, true, NULL},
+    {0, {3, 16, 1}, {1, 4, 0}, 12, true, NULL},   {0, {3, 32, 1}, {1, 1, 0}, 20, false, NULL},
+    {0, {3, 32, 1}, {1, 4, 0}, 12, true, NULL},   {0, {3, 2, 1}, {1, 1, 0}, 20, true, NULL},
 };
 
 int mt_manner_count(void) {

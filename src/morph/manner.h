@@ -12,12 +12,15 @@ typedef struct mt_tariff {
     double corner;    /* for a corner that turns about one way with one that turns about the other */
 } mt_tariff;
 
+typedef struct mt_known mt_known;
+
 typedef struct mt_manner {
     double chord;    /* grid units: within what the curves were flattened */
     mt_tariff align; /* of two rings (align.h) */
     mt_tariff walk;  /* of a ring with the other side's border (walk.h) */
     double step;     /* between the stops of a border at most, 1/1000 em */
     bool leaps;      /* walkers may leap over white */
+    mt_known *known; /* alignments that were found before (known.h); NULL: none are kept */
 } mt_manner;
 
 /* The manners that are tried for a glyph, one after the other. The first, 0, is best for most. */

@@ -8,6 +8,7 @@
 #include "geometry/union.h"
 #include "morph/aside.h"
 #include "morph/joint.h"
+#include "morph/known.h"
 #include "morph/links.h"
 #include "morph/masters.h"
 #include "morph/relax.h"
@@ -131,16 +132,19 @@ static mt_status join_soundly(const mt_morph *matched, const mt_terms *terms, mt
                               mt_morph *joined, mt_straying *by) {
     mt_status status = join(matched, terms, arena, joined);
     if (status == MT_OK) status = mt_morph_strays(joined, terms->params, arena, by);
-    if (status == MT_OK && by->parts > 0) status = mt_stand_aside(joined, terms->params, arena, by);
+    if (status == MT_OK && by->merged > 0) status = mt_stand_aside(joined, terms->params, arena, by);
     return status;
 }
 
 /* In one manner after the other, until the glyph does not stray on the way; of those that all do, in the one that strays least. */
 static mt_status join_best(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
     mt_morph best = *morph, tried;
-    mt_straying least = {INT_MAX, INFINITY}, by;
+    mt_straying least = {INT_MAX, 0, INFINITY}, by;
+    mt_known *known = mt_arena_new(arena, 1, sizeof *known);
+    if (!known) return MT_NO_MEMORY;
     for (int i = 0; i < mt_manner_count() && least.parts > 0; i++) {
         mt_terms terms = {hints, params, mt_manner_at(i, params)};
+        terms.manner.known = known;
         mt_status status = join_soundly(morph, &terms, arena, &tried, &by);
         if (status != MT_OK) return status;
         if (!is_sounder(by, least)) continue;

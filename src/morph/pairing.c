@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "morph/assign.h"
+#include "morph/known.h"
 
 #define STOPS 60.0      /* places along a ring that are compared, at least */
 #define APART_MOST 0.35 /* how far the middles of two rings may be apart, in boxes */
@@ -18,18 +19,29 @@ static double apart(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box
     return hypot(x, y) / 2;
 }
 
-mt_status mt_pair_price(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q,
-                        const mt_manner *manner, mt_arena *arena, double *price) {
+static mt_status find_price(const mt_known_case *of, double chord, mt_arena *arena, double *price) {
     mt_arena_place before = mt_arena_mark(arena);
     mt_stops a, b;
     mt_alignment alignment;
-    mt_status status = mt_ring_stops(p, manner->chord, STOPS, arena, &a);
-    if (status == MT_OK) status = mt_ring_stops(q, manner->chord, STOPS, arena, &b);
+    mt_status status = mt_ring_stops(of->p, chord, STOPS, arena, &a);
+    if (status == MT_OK) status = mt_ring_stops(of->q, chord, STOPS, arena, &b);
     if (status == MT_OK)
-        status = mt_align(&a, box_p, &b, box_q, &manner->align, &(mt_links){0}, arena, &alignment);
+        status = mt_align(&a, of->box_p, &b, of->box_q, &of->tariff, &(mt_links){0}, arena, &alignment);
     if (status == MT_OK) *price = alignment.cost;
     mt_arena_rewind(arena, before);
     return status;
+}
+
+mt_status mt_pair_price(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q,
+                        const mt_manner *manner, mt_arena *arena, double *price) {
+    mt_known_case of = {p, q, box_p, box_q, manner->align, false};
+    const mt_known_pair *known = mt_known_find(manner->known, &of);
+    if (known) {
+        *price = known->cost;
+        return MT_OK;
+    }
+    mt_status status = find_price(&of, manner->chord, arena, price);
+    return status == MT_OK ? mt_known_add(manner->known, &of, *price, NULL, arena) : status;
 }
 
 typedef struct mt_prices {
