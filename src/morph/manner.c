@@ -13,6 +13,7 @@ static const mt_manner manners[] = {
     {0, {3, 16, 1}, {1, 12, 0}, 20, false, NULL}, {0, {3, 16, 1}, {1, 1, 0}, 20, true, NULL},
     {0, {3, 16, 1}, {1, 4, 0}, 12, true, NULL},   {0, {3, 32, 1}, {1, 1, 0}, 20, false, NULL},
     {0, {3, 32, 1}, {1, 4, 0}, 12, true, NULL},   {0, {3, 2, 1}, {1, 1, 0}, 20, true, NULL},
+    {0, {3, 4, 1}, {1, 4, 0}, 30, true, NULL},    {0, {3, 64, 1}, {1, 1, 0}, 20, false, NULL},
 };
 
 int mt_manner_count(void) {

@@ -9,6 +9,8 @@
 /* The longest overlap, 1/1000 em; the shortest that is worth while, and how often half of it is tried. */
 #define LONGEST 120.0
 #define SHORTEST 2.0
+/* By how many times the gap the shares of the side with more ink are lengthened; those of the other by its inverse. */
+#define LONGER 1.1
 enum { TRIES = 4 };
 
 /* An edge of a share's outer ring. */
@@ -171,12 +173,12 @@ static int place_of(const mt_ring *ring, const mt_bank_edge *edge) {
     return at;
 }
 
-static mt_status overlap(const mt_shape *drawn, mt_shape *shares, const mt_bank_edge *edge, double gap,
+static mt_status overlap(const mt_shape *drawn, mt_shape *shares, const mt_bank_edge *edge, double length,
                          mt_arena *arena) {
     mt_component *share = &shares->components[edge->share];
     int at = place_of(&share->rings[0], edge);
     mt_vector way = way_on(&share->rings[0], at);
-    double by = fmin(gap, mt_grid_units(LONGEST));
+    double by = fmin(length, mt_grid_units(LONGEST));
     for (int i = 0; i < TRIES && by >= mt_grid_units(SHORTEST); i++, by /= 2) {
         const mt_point flap[4] = {edge->from, moved(edge->from, way, by), moved(edge->to, way, by), edge->to};
         if (is_in_ink(drawn, flap)) return put_flap(share, at, flap[1], flap[2], arena);
@@ -184,9 +186,9 @@ static mt_status overlap(const mt_shape *drawn, mt_shape *shares, const mt_bank_
     return MT_OK;
 }
 
-/* Lengthens the shares in `made`, which begin as those of `cut`. */
+/* Lengthens the shares in `made`, which begin as those of `cut`, by so many times the gap that the other side has. */
 static mt_status overlap_side(const mt_shape *drawn, const mt_cut_side *cut, const mt_cut_side *other,
-                              mt_shape *made, mt_arena *arena) {
+                              double times, mt_shape *made, mt_arena *arena) {
     mt_bank_edge *edges;
     int count;
     mt_status status = list_edges(&cut->shares, arena, &edges, &count);
@@ -198,9 +200,17 @@ static mt_status overlap_side(const mt_shape *drawn, const mt_cut_side *cut, con
         double gap = gap_between(&other->shares.components[p], &other->shares.components[q]);
         bool ends = turn_at(&cut->shares.components[edge->share].rings[0], edge->at) >=
                     turn_at(&cut->shares.components[twin->share].rings[0], twin->at);
-        status = overlap(drawn, made, ends ? edge : twin, gap, arena);
+        status = overlap(drawn, made, ends ? edge : twin, times * gap, arena);
     }
     return status;
+}
+
+/* How far A's shares are lengthened, in gaps. What A has in one is parted at the place where what B has in one comes together: with
+ * one gap on both sides that is half-way, where each would be parted already and not together yet. So it is a little to the
+ * side of it: nearer to the end with less ink, whichever of the two that is. */
+static double order(const mt_shape *in_a, const mt_shape *in_b) {
+    int64_t a = mt_shape_area2(in_a), b = mt_shape_area2(in_b);
+    return a > b ? LONGER : a < b ? 1 / LONGER : 1;
 }
 
 static mt_status copy(const mt_shape *shape, mt_arena *arena, mt_shape *made) {
@@ -215,8 +225,9 @@ mt_status mt_overlap_cuts(const mt_shape *in_a, mt_cut_side *a, const mt_shape *
     mt_shape made_a, made_b;
     mt_status status = copy(&a->shares, arena, &made_a);
     if (status == MT_OK) status = copy(&b->shares, arena, &made_b);
-    if (status == MT_OK) status = overlap_side(in_a, a, b, &made_a, arena);
-    if (status == MT_OK) status = overlap_side(in_b, b, a, &made_b, arena);
+    double times = order(in_a, in_b);
+    if (status == MT_OK) status = overlap_side(in_a, a, b, times, &made_a, arena);
+    if (status == MT_OK) status = overlap_side(in_b, b, a, 1 / times, &made_b, arena);
     if (status != MT_OK) return status;
     a->shares = made_a;
     b->shares = made_b;
