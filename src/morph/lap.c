@@ -28,10 +28,10 @@ static double length_of(mt_point a, mt_point b) {
 
 /* ---- points near the ends of a cut ----------------------------------------------------------------------- */
 
-/* Where a segment is at its middle. */
-static mt_point middle_of(mt_point start, const mt_segment *s) {
-    if (s->degree == 1) return between(start, s->end, 0.5);
-    return between(between(start, s->control[0], 0.5), between(s->control[0], s->end, 0.5), 0.5);
+/* Where a segment is at u. */
+static mt_point point_of(mt_point start, const mt_segment *s, double u) {
+    if (s->degree == 1) return between(start, s->end, u);
+    return between(between(start, s->control[0], u), between(s->control[0], s->end, u), u);
 }
 
 /* The part of the segment up to u, and in *rest what is left of it. */
@@ -72,15 +72,20 @@ static mt_point start_of(const mt_contour *contour, int i) {
     return contour->segments[i ? i - 1 : contour->count - 1].end;
 }
 
-/* Whether the segment is a cut of either master: in the ink, and long enough to have points near its ends. */
+/* How deep in the ink the middle of a cut so long lies at least: less where a narrow neck was cut, and never as little as a
+ * border is off by where it was fitted. */
+static double cut_depth(const mt_lapping *lapping, double length) {
+    return fmin(2 * lapping->reach, fmax(lapping->reach / 2, length / 4));
+}
+
+/* Whether the segment is a cut of either master: in the ink. */
 static bool is_cut(const mt_lapping *lapping, const mt_masters *drawn, int i) {
     for (int master = 0; master < 2; master++) {
         const mt_contour *contour = master == 0 ? &drawn->a : &drawn->b;
         const mt_segment *s = &contour->segments[i];
         mt_point start = start_of(contour, i);
-        if (length_of(start, s->end) > 4 * lapping->reach &&
-            mt_is_deep_in_ink(ink_of(lapping, master), middle_of(start, s), 2 * lapping->reach))
-            return true;
+        double depth = cut_depth(lapping, length_of(start, s->end));
+        if (mt_is_deep_in_ink(ink_of(lapping, master), point_of(start, s, 0.5), depth)) return true;
     }
     return false;
 }
@@ -118,28 +123,39 @@ static mt_status copy_split(mt_lapping *lapping, const mt_masters *drawn) {
 typedef struct mt_beads {
     int count;
     mt_point **points;
-    mt_point *drawn;  /* where they were */
-    mt_point *looked; /* where the contour is there: half-way along a curve for a point off it */
+    mt_point *drawn; /* where they were */
+    bool *deep;      /* where the contour, which they take along, is deep in the ink */
     bool *put_in;
 } mt_beads;
 
-static void add(mt_beads *beads, mt_point *point, mt_point looked, bool put_in) {
+static void add(mt_beads *beads, mt_point *point, bool deep, bool put_in) {
     beads->points[beads->count] = point;
     beads->drawn[beads->count] = *point;
     beads->put_in[beads->count] = put_in;
-    beads->looked[beads->count++] = looked;
+    beads->deep[beads->count++] = deep;
 }
 
-static mt_status string_beads(mt_contour *contour, const bool *put_in, mt_arena *arena, mt_beads *beads) {
+/* Whether a curve is a cut all along: a cut can go on where a border ends, and one curve be fitted to both. */
+static bool is_deep_along(const mt_lapping *lapping, const mt_shape *ink, mt_point start,
+                          const mt_segment *s) {
+    return mt_is_deep_in_ink(ink, point_of(start, s, 0.25), lapping->reach) &&
+           mt_is_deep_in_ink(ink, point_of(start, s, 0.5), 2 * lapping->reach) &&
+           mt_is_deep_in_ink(ink, point_of(start, s, 0.75), lapping->reach);
+}
+
+static mt_status string_beads(const mt_lapping *lapping, const mt_shape *ink, mt_contour *contour,
+                              mt_beads *beads) {
     size_t room = 2 * (size_t)contour->count;
+    mt_arena *arena = lapping->arena;
     *beads = (mt_beads){
         0, mt_arena_new(arena, room, sizeof *beads->points), mt_arena_new(arena, room, sizeof *beads->drawn),
-        mt_arena_new(arena, room, sizeof *beads->looked), mt_arena_new(arena, room, sizeof *beads->put_in)};
-    if (!beads->points || !beads->drawn || !beads->looked || !beads->put_in) return MT_NO_MEMORY;
+        mt_arena_new(arena, room, sizeof *beads->deep), mt_arena_new(arena, room, sizeof *beads->put_in)};
+    if (!beads->points || !beads->drawn || !beads->deep || !beads->put_in) return MT_NO_MEMORY;
     for (int i = 0; i < contour->count; i++) {
         mt_segment *s = &contour->segments[i];
-        if (s->degree == 2) add(beads, &s->control[0], middle_of(start_of(contour, i), s), false);
-        add(beads, &s->end, s->end, put_in[i]);
+        if (s->degree == 2)
+            add(beads, &s->control[0], is_deep_along(lapping, ink, start_of(contour, i), s), false);
+        add(beads, &s->end, mt_is_deep_in_ink(ink, s->end, 2 * lapping->reach), lapping->put_in[i]);
     }
     return MT_OK;
 }
@@ -163,9 +179,8 @@ static mt_point moved_out(const mt_beads *beads, int i, double reach) {
 }
 
 /* Points near the ends of a cut are near the border too: they move where that leaves them in the ink. */
-static bool may_move(const mt_lapping *lapping, const mt_shape *ink, const mt_beads *beads, int i,
-                     mt_point to) {
-    if (mt_is_deep_in_ink(ink, beads->looked[i], 2 * lapping->reach)) return true;
+static bool may_move(const mt_shape *ink, const mt_beads *beads, int i, mt_point to) {
+    if (beads->deep[i]) return true;
     return beads->put_in[i] && mt_is_in_ink(ink, beads->drawn[i]) && mt_is_in_ink(ink, to);
 }
 
@@ -173,10 +188,10 @@ static mt_status lap_master(const mt_lapping *lapping, int master, mt_contour *c
     mt_beads beads;
     const mt_shape *ink = ink_of(lapping, master);
     mt_arena_place before = mt_arena_mark(lapping->arena);
-    mt_status status = string_beads(contour, lapping->put_in, lapping->arena, &beads);
+    mt_status status = string_beads(lapping, ink, contour, &beads);
     for (int i = 0; status == MT_OK && i < beads.count; i++) {
         mt_point to = moved_out(&beads, i, lapping->reach);
-        if (may_move(lapping, ink, &beads, i, to)) *beads.points[i] = to;
+        if (may_move(ink, &beads, i, to)) *beads.points[i] = to;
     }
     mt_arena_rewind(lapping->arena, before);
     return status;

@@ -117,7 +117,9 @@ class Image:
         for y in range(self.height):
             start = y * (stride + 1)
             kind, row = raw[start], bytearray(raw[start + 1:start + 1 + stride])
-            for i in range(stride):
+            if kind == 2 and not any(row): # the same as above: much of a picture, and quickly copied
+                row, kind = bytearray(above), 0
+            for i in range(stride if kind else 0):
                 left = row[i - 3] if i >= 3 else 0
                 corner = above[i - 3] if i >= 3 else 0
                 row[i] = (row[i] + self.predict(kind, left, above[i], corner)) & 255

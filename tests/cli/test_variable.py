@@ -200,17 +200,17 @@ class Instances(Variable):
 
 
 class Ends(Variable):
-    """The font at both ends is its sources."""
+    """The font at both ends is its sources, within 1/1000 em."""
 
     def assert_ends(self, fonts, text):
         font = self.variable('x.ttf', *fonts, text=text)
         for place, source in zip((0, 100), fonts):
-            apart = sorted(apart for *_, apart in sampled('apart', 'freetype', font, place, source, text=text).values())
-            self.assertLessEqual(apart[len(apart) * 95 // 100], 1)
-            self.assertLessEqual(apart[-1], 2)
+            for character, (*_, apart) in sampled('apart', 'freetype', font, place, source, text=text).items():
+                self.assertLessEqual(apart, 1, (character, place))
 
     def test_latin_greek_cyrillic(self):
-        self.assert_ends(FONTS, LETTERS)
+        """But for ţ: DejaVu Sans Bold's t and its cedilla enclose a wedge whose tip is too thin for its units, and closes."""
+        self.assert_ends(FONTS, ACCENTED.replace('ţ', ''))
 
     def test_han(self):
         self.assert_ends(HAN_FONTS, HAN)
