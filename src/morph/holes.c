@@ -115,13 +115,19 @@ static mt_status open_one(mt_joining *j, int side, const mt_hole_pairs *pairs, b
     return status;
 }
 
+/* The side to look at first, by an order that does not ask which of them is A: the one with more ink. */
+static int first_side(const mt_joining *j) {
+    return mt_component_area2(j->a.component) < mt_component_area2(j->b.component);
+}
+
 mt_status mt_pair_holes(mt_joining *j, mt_hole_pairs *pairs) {
+    int first = first_side(j);
     bool opened;
     do {
         opened = false;
         mt_status status = pair(j, pairs);
-        for (int side = 0; status == MT_OK && side < 2 && !opened; side++)
-            status = open_one(j, side, pairs, &opened);
+        if (status == MT_OK) status = open_one(j, first, pairs, &opened);
+        if (status == MT_OK && !opened) status = open_one(j, 1 - first, pairs, &opened);
         if (status != MT_OK) return status;
     } while (opened);
     return MT_OK;
