@@ -1,4 +1,5 @@
 #include "morph/align.h"
+#include "morph/columns.h"
 
 #include <math.h>
 #include <string.h>
@@ -113,53 +114,12 @@ typedef struct mt_grid {
     uint8_t *moves; /* (n + 1) × (m + 1): how each cell is best reached */
 } mt_grid;
 
-/* The views of B's stops, column by column. */
-typedef struct mt_columns {
-    float *x, *y, *in_x, *in_y, *out_x, *out_y, *turn_x, *turn_y;
-} mt_columns;
-
-static mt_status columns_of(const mt_views *views, mt_arena *arena, mt_columns *c) {
-    size_t m = (size_t)views->count;
-    float *room = mt_arena_new(arena, 8 * m, sizeof *room);
-    if (!room) return MT_NO_MEMORY;
-    *c = (mt_columns){room,         room + m,     room + 2 * m, room + 3 * m,
-                      room + 4 * m, room + 5 * m, room + 6 * m, room + 7 * m};
-    for (size_t j = 0; j < m; j++) {
-        const mt_view *view = &views->views[j];
-        c->x[j] = (float)view->x;
-        c->y[j] = (float)view->y;
-        c->in_x[j] = (float)view->in_x;
-        c->in_y[j] = (float)view->in_y;
-        c->out_x[j] = (float)view->out_x;
-        c->out_y[j] = (float)view->out_y;
-        c->turn_x[j] = (float)view->turn_x;
-        c->turn_y[j] = (float)view->turn_y;
-    }
-    return MT_OK;
-}
-
-/* mt_price of one stop of A with all of B's. */
-static void price_row(const mt_tariff *tariff, const mt_view *view, const mt_columns *c, int m,
-                      float *prices) {
-    const float x = (float)view->x, y = (float)view->y, in_x = (float)view->in_x, in_y = (float)view->in_y,
-                out_x = (float)view->out_x, out_y = (float)view->out_y, turn_x = (float)view->turn_x,
-                turn_y = (float)view->turn_y;
-    const float direction = (float)tariff->direction / 4, distance = (float)tariff->distance,
-                corner = (float)tariff->corner / 2;
-    for (int j = 0; j < m; j++) {
-        float same = in_x * c->in_x[j] + in_y * c->in_y[j] + out_x * c->out_x[j] + out_y * c->out_y[j];
-        float alike = turn_x * c->turn_x[j] + turn_y * c->turn_y[j];
-        float dx = x - c->x[j], dy = y - c->y[j];
-        prices[j] = direction * (2 - same) + distance * sqrtf(dx * dx + dy * dy) + corner * (1 - alike);
-    }
-}
-
 static mt_status fill_prices(mt_grid *g, const mt_tariff *tariff, const mt_views *a, const mt_views *b,
                              mt_arena *arena) {
     mt_columns columns;
-    mt_status status = columns_of(b, arena, &columns);
+    mt_status status = mt_columns_of(b->views, b->count, arena, &columns);
     for (int i = 0; status == MT_OK && i < g->n; i++)
-        price_row(tariff, &a->views[i], &columns, g->m, g->prices + (size_t)i * (size_t)g->m);
+        mt_price_all(tariff, &a->views[i], &columns, 0, g->m, g->prices + (size_t)i * (size_t)g->m);
     return status;
 }
 

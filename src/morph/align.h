@@ -40,7 +40,7 @@ typedef struct mt_view {
 
 mt_view mt_view_of(const mt_stop *stop, mt_box box);
 
-/* What it costs that two stops go with each other. Inline: the alignments and the walks spend a good part of their time here. */
+/* What it costs that two stops go with each other. */
 static inline double mt_price(const mt_tariff *t, const mt_view *a, const mt_view *b) {
     double same = a->in_x * b->in_x + a->in_y * b->in_y + a->out_x * b->out_x + a->out_y * b->out_y;
     double alike = a->turn_x * b->turn_x + a->turn_y * b->turn_y;

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "geometry/limits.h"
+#include "morph/columns.h"
 
 /* How far a walker looks around: the border's stops whose places, each relative to its glyph's box, are farther off than so many
  * boxes in x or in y are out of its reach. Where that leads nowhere it looks twice as far; 1 is all of the box. */
@@ -15,11 +16,6 @@ enum { START_STRIDE = 3 };
 
 /* How a cell was reached. From a bridge on, it is the bridge's number. */
 enum { START, STAY, BOTH, ALONG, BRIDGE };
-
-/* The views of the border's stops. */
-typedef struct mt_columns {
-    float *x, *y, *in_x, *in_y, *out_x, *out_y;
-} mt_columns;
 
 /* A bridge that is not barred. */
 typedef struct mt_crossing {
@@ -83,20 +79,6 @@ static void look_later(mt_walker *w, int j) {
 
 /* ---- what is in sight ---------------------------------------------------------------------------------------------- */
 
-/* As mt_price, for the stops of one stretch, column by column. */
-static void price_stretch(mt_walker *w, const mt_view *view, const mt_stretch *stretch) {
-    const mt_columns *c = &w->columns;
-    float *restrict price = w->price;
-    const float x = (float)view->x, y = (float)view->y, in_x = (float)view->in_x, in_y = (float)view->in_y,
-                out_x = (float)view->out_x, out_y = (float)view->out_y;
-    const float direction = (float)w->tariff.direction / 4, distance = (float)w->tariff.distance;
-    for (int j = stretch->first; j < stretch->end; j++) {
-        float same = in_x * c->in_x[j] + in_y * c->in_y[j] + out_x * c->out_x[j] + out_y * c->out_y[j];
-        float dx = x - c->x[j], dy = y - c->y[j];
-        price[j] = direction * (2 - same) + distance * sqrtf(dx * dx + dy * dy);
-    }
-}
-
 static bool is_in_sight(const mt_walker *w, const mt_view *here, const mt_stretch *stretch) {
     return here->x >= stretch->low_x - w->sight && here->x <= stretch->high_x + w->sight &&
            here->y >= stretch->low_y - w->sight && here->y <= stretch->high_y + w->sight;
@@ -114,7 +96,7 @@ static void look_around(mt_walker *w, int i) {
         for (int j = stretch->first; seen[s] && !now && j < stretch->end; j++) cost[j] = INFINITY;
         for (int j = stretch->first; last[s] && !now && j < stretch->end; j++) w->price[j] = INFINITY;
         seen[s] = now;
-        if (now) price_stretch(w, here, stretch);
+        if (now) mt_price_all(&w->tariff, here, &w->columns, stretch->first, stretch->end, w->price);
     }
 }
 
@@ -339,24 +321,6 @@ static mt_status make_stretches(mt_walker *w, mt_arena *arena) {
     return MT_OK;
 }
 
-static mt_status fill_columns(mt_walker *w, mt_arena *arena) {
-    size_t m = (size_t)w->to->count;
-    float *room = mt_arena_new(arena, 6 * m, sizeof *room);
-    if (!room) return MT_NO_MEMORY;
-    mt_columns *c = &w->columns;
-    *c = (mt_columns){room, room + m, room + 2 * m, room + 3 * m, room + 4 * m, room + 5 * m};
-    for (size_t j = 0; j < m; j++) {
-        const mt_view *view = &w->to->views[j];
-        c->x[j] = (float)view->x;
-        c->y[j] = (float)view->y;
-        c->in_x[j] = (float)view->in_x;
-        c->in_y[j] = (float)view->in_y;
-        c->out_x[j] = (float)view->out_x;
-        c->out_y[j] = (float)view->out_y;
-    }
-    return MT_OK;
-}
-
 static mt_status start_walker(const mt_border *from, int ring, const mt_border *to, const mt_tariff *tariff,
                               mt_arena *arena, mt_walker *w) {
     *w = (mt_walker){
@@ -382,7 +346,7 @@ static mt_status start_walker(const mt_border *from, int ring, const mt_border *
     chain_stops(w);
     list_open_bridges(w);
     mt_status status = make_stretches(w, arena);
-    return status == MT_OK ? fill_columns(w, arena) : status;
+    return status == MT_OK ? mt_columns_of(w->to->views, w->to->count, arena, &w->columns) : status;
 }
 
 /* The surest pace of a walk: where the two stops are most alike. */
