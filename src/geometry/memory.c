@@ -54,7 +54,7 @@ struct mt_block {
     alignas(max_align_t) unsigned char bytes[];
 };
 
-enum { BLOCK_MIN = 1 << 16 };
+enum { BLOCK_MIN = 1 << 16, BLOCK_DOUBLED_MOST = 1 << 24 };
 
 static void *take(mt_block *block, size_t size) {
     if (!block || block->size - block->used < size) return NULL;
@@ -63,24 +63,30 @@ static void *take(mt_block *block, size_t size) {
     return memset(memory, 0, size);
 }
 
-/* The block after the current one, emptied, if it is large enough; otherwise a new one put before it. */
+/* Of the blocks after the current one the first that is large enough, emptied, and put next. */
+static mt_block *find_block(mt_block **next, size_t size) {
+    mt_block **at = next;
+    while (*at && (*at)->size < size) at = &(*at)->next;
+    mt_block *found = *at;
+    if (!found) return NULL;
+    *at = found->next;
+    found->next = *next;
+    found->used = 0;
+    return *next = found;
+}
+
 static mt_block *next_block(mt_arena *arena, size_t size) {
-    mt_block *after = arena->current ? arena->current->next : arena->first;
-    if (after && after->size >= size) {
-        after->used = 0;
-        return after;
-    }
+    mt_block **next = arena->current ? &arena->current->next : &arena->first;
+    mt_block *block = find_block(next, size);
+    if (block) return block;
     size_t doubled = arena->current ? 2 * arena->current->size : BLOCK_MIN;
+    if (doubled > BLOCK_DOUBLED_MOST) doubled = BLOCK_DOUBLED_MOST;
     size_t room = size > doubled ? size : doubled;
     if (room > PTRDIFF_MAX - sizeof(mt_block)) return NULL;
-    mt_block *block = mt_new(1, sizeof(mt_block) + room);
+    block = mt_new(1, sizeof(mt_block) + room);
     if (!block) return NULL;
-    *block = (mt_block){.next = after, .size = room};
-    if (arena->current)
-        arena->current->next = block;
-    else
-        arena->first = block;
-    return block;
+    *block = (mt_block){.next = *next, .size = room};
+    return *next = block;
 }
 
 void *mt_arena_new(mt_arena *arena, size_t count, size_t size) {

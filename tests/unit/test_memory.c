@@ -3,6 +3,7 @@
 #include "support/random.h"
 
 #include <stdalign.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void arrays(void **state) {
@@ -123,6 +124,39 @@ static void blocks_are_kept(void **state) {
     mt_allocation_unwatch();
 }
 
+static size_t asked;
+
+static void *count_asked(void *memory, size_t size) {
+    asked += size;
+    if (size) return realloc(memory, size);
+    free(memory);
+    return NULL;
+}
+
+/* In whatever order large and small come, blocks of earlier glyphs are found again, and new ones stay in proportion: all of them
+ * hold less than three times what one glyph needs. */
+static void blocks_are_found_again(void **state) {
+    (void)state;
+    mt_memory_replace(count_asked);
+    mt_arena arena = {0};
+    mt_random random = mt_random_case(2);
+    size_t most = 0;
+    for (int glyph = 0; glyph < 400; glyph++) {
+        size_t needed = 0;
+        for (int i = mt_random_between(&random, 20, 2000); i > 0; i--) {
+            size_t size =
+                (size_t)mt_random_between(&random, 16, mt_random_one_in(&random, 50) ? 1 << 20 : 1000);
+            assert_non_null(mt_arena_new(&arena, size, 1));
+            needed += size;
+        }
+        mt_arena_reset(&arena);
+        if (needed > most) most = needed;
+    }
+    assert_true(asked <= 3 * most);
+    mt_arena_release(&arena);
+    mt_memory_replace(NULL);
+}
+
 static void failures_change_nothing(void **state) {
     (void)state;
     mt_allocation_watch();
@@ -149,10 +183,15 @@ static void failures_change_nothing(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(arrays),          cmocka_unit_test(nothing_is_something),
-        cmocka_unit_test(texts),           cmocka_unit_test(products_that_overflow),
-        cmocka_unit_test(arena_of_many),   cmocka_unit_test(marks),
-        cmocka_unit_test(blocks_are_kept), cmocka_unit_test(failures_change_nothing),
+        cmocka_unit_test(arrays),
+        cmocka_unit_test(nothing_is_something),
+        cmocka_unit_test(texts),
+        cmocka_unit_test(products_that_overflow),
+        cmocka_unit_test(arena_of_many),
+        cmocka_unit_test(marks),
+        cmocka_unit_test(blocks_are_kept),
+        cmocka_unit_test(blocks_are_found_again),
+        cmocka_unit_test(failures_change_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
