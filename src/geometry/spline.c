@@ -41,10 +41,13 @@ static double cross(double ax, double ay, double bx, double by) {
 
 /* ---- how far a sample is from a segment ---------------------------------------------------------------- */
 
+static double within_unit(double t) {
+    return t < 0 ? 0 : t > 1 ? 1 : t;
+}
+
 static double distance_to_line(mt_vec p, mt_vec a, mt_vec b) {
     double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
-    double t = length2 > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / length2 : 0;
-    t = fmin(1, fmax(0, t));
+    double t = length2 > 0 ? within_unit(((p.x - a.x) * dx + (p.y - a.y) * dy) / length2) : 0;
     double x = p.x - a.x - t * dx, y = p.y - a.y - t * dy;
     return sqrt(x * x + y * y);
 }
@@ -90,7 +93,7 @@ static double distance_to_quadratic(mt_vec p, mt_vec a, mt_vec c, mt_vec b, doub
         off = (mt_vec){q.x - p.x, q.y - p.y};
         double slope = d.x * d.x + d.y * d.y + 2 * (off.x * w.x + off.y * w.y);
         if (i == 3 || slope <= 0) break;
-        *t = fmin(1, fmax(0, *t - (off.x * d.x + off.y * d.y) / slope));
+        *t = within_unit(*t - (off.x * d.x + off.y * d.y) / slope);
     }
     return sqrt(off.x * off.x + off.y * off.y);
 }

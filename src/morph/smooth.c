@@ -31,8 +31,12 @@ static mt_vector between(mt_vector p, mt_vector q, double share) {
     return (mt_vector){p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
 }
 
+static double distance2(mt_vector p, mt_vector q) {
+    return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
+}
+
 static double distance(mt_vector p, mt_vector q) {
-    return hypot(q.x - p.x, q.y - p.y);
+    return sqrt(distance2(p, q));
 }
 
 static mt_segment *segment_at(const mt_contour *contour, int k) {
@@ -87,10 +91,10 @@ static mt_vector on_segment(mt_vector start, const mt_segment *segment, double u
     return between(between(start, control, u), between(control, end, u), u);
 }
 
-static double distance_to_chord(mt_vector p, mt_vector a, mt_vector b) {
+static double distance2_to_chord(mt_vector p, mt_vector a, mt_vector b) {
     double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
     double u = length2 > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / length2 : 0;
-    return distance(p, between(a, b, fmin(1, fmax(0, u))));
+    return distance2(p, u <= 0 ? a : u >= 1 ? b : between(a, b, u));
 }
 
 /* How far a place is from the drawing between nodes k - 2 and k + 2. */
@@ -100,11 +104,12 @@ static double distance_to_drawing(const mt_contour *drawn, int k, mt_vector p) {
         mt_vector start = place(segment_at(drawn, i - 1)->end), last = start;
         for (int s = 1; s <= SAMPLES; s++) {
             mt_vector next = on_segment(start, segment_at(drawn, i), (double)s / SAMPLES);
-            least = fmin(least, distance_to_chord(p, last, next));
+            double here = distance2_to_chord(p, last, next);
+            if (here < least) least = here;
             last = next;
         }
     }
-    return least;
+    return sqrt(least);
 }
 
 /* How far the two segments at node k depart from the drawing when the node stands at `at`. */
