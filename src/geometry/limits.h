@@ -88,6 +88,6 @@ static inline double mt_grid_units(double thousandths) {
 #define MT_INK_EXCESS 0.03
 
 /* Places between the ends at which an in-between's counts are looked at, evenly spaced. */
-#define MT_CENSUS_STEPS 7
+#define MT_CENSUS_STEPS 19
 
 #endif

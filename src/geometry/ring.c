@@ -111,6 +111,40 @@ void mt_ring_centre(const mt_ring *ring, double *x, double *y) {
     *y = ((double)box.min.y + box.max.y) / 2;
 }
 
+/* ---- distances --------------------------------------------------------------------------------------------
+ */
+
+double mt_way_to_edge(mt_point from, mt_point a, mt_point b, double way[2]) {
+    double length2 = (double)mt_distance2(a, b),
+           along = length2 > 0 ? (double)mt_dot(a, b, a, from) / length2 : 0;
+    double t = fmin(1, fmax(0, along));
+    way[0] = a.x + t * ((double)b.x - a.x) - from.x;
+    way[1] = a.y + t * ((double)b.y - a.y) - from.y;
+    return sqrt(way[0] * way[0] + way[1] * way[1]);
+}
+
+/* From the points of one ring to the other's edges, if that is less than `least`. */
+static double gap_one_way(const mt_ring *from, const mt_ring *to, double least, double way[2]) {
+    for (int i = 0; i < from->count; i++)
+        for (int k = 0; k < to->count; k++) {
+            double here[2],
+                gap = mt_way_to_edge(from->points[i], to->points[k], to->points[(k + 1) % to->count], here);
+            if (gap >= least) continue;
+            least = gap;
+            way[0] = here[0];
+            way[1] = here[1];
+        }
+    return least;
+}
+
+double mt_ring_gap(const mt_ring *p, const mt_ring *q, mt_point *way) {
+    double there[2] = {0, 0}, back[2] = {0, 0};
+    double gap = gap_one_way(p, q, INFINITY, there), nearer = gap_one_way(q, p, gap, back);
+    double x = nearer < gap ? -back[0] : there[0], y = nearer < gap ? -back[1] : there[1];
+    *way = (mt_point){(int32_t)lround(x), (int32_t)lround(y)};
+    return nearer;
+}
+
 /* ---- convexity --------------------------------------------------------------------------------------------
  */
 

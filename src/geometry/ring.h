@@ -70,6 +70,13 @@ double mt_box_height(mt_box box);
 /* The barycentre of the area, grid units. A ring without area gives the middle of its box. */
 void mt_ring_centre(const mt_ring *ring, double *x, double *y);
 
+/* How far a place is from an edge, grid units, and the way to its nearest place. */
+double mt_way_to_edge(mt_point from, mt_point a, mt_point b, double way[2]);
+
+/* The least distance between the borders of two rings that do not cross, grid units, and the way from p to q where they are
+ * nearest, rounded. */
+double mt_ring_gap(const mt_ring *p, const mt_ring *q, mt_point *way);
+
 /* At least three points, every turn to the left or straight on, once around; no area is not convex. */
 bool mt_ring_is_convex(const mt_ring *ring);
 

@@ -4,8 +4,8 @@
 
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/homes.h"
 #include "morph/masters.h"
-#include "morph/place.h"
 
 /* How far contours may stand aside half-way, 1/1000 em: the least first. More would be seen. */
 static const double distances[] = {2, 4, 8, 16, 32};
@@ -14,6 +14,7 @@ enum { DISTANCES = sizeof distances / sizeof *distances, DIRECTIONS = 8 };
 /* Contours in clusters: those whose components are one at either end have to stay together. */
 typedef struct mt_clusters {
     const mt_morph *morph;
+    bool *moved;   /* each cluster: it stands aside */
     int *of;       /* each contour's, numbered by its first contour */
     double *area;  /* of each cluster, half-way, grid units squared */
     mt_box *boxes; /* of each cluster, on all of its way */
@@ -21,10 +22,6 @@ typedef struct mt_clusters {
 } mt_clusters;
 
 /* ---- clusters ------------------------------------------------------------------------------------------------ */
-
-static int home_of(const mt_side *side, const mt_contour *contour) {
-    return mt_component_at(&side->whole, contour->segments[0].end);
-}
 
 static void unite(int *of, int count, int i, int k) {
     int low = of[i] < of[k] ? of[i] : of[k], high = of[i] < of[k] ? of[k] : of[i];
@@ -72,21 +69,21 @@ static mt_box way_box(const mt_masters *m) {
 
 static mt_status gather(const mt_morph *m, mt_arena *arena, mt_clusters *clusters) {
     size_t count = (size_t)m->contour_count;
-    int *homes = mt_arena_new(arena, 2 * count, sizeof *homes);
+    mt_homes homes;
     *clusters = (mt_clusters){.morph = m,
+                              .moved = mt_arena_new(arena, count, sizeof(bool)),
                               .of = mt_arena_new(arena, count, sizeof(int)),
                               .area = mt_arena_new(arena, count, sizeof(double)),
                               .boxes = mt_arena_new(arena, count, sizeof(mt_box)),
-                              .alone = mt_arena_new(arena, count, (MT_CENSUS_STEPS + 1) * sizeof(int))};
-    if (!homes || !clusters->of || !clusters->area || !clusters->boxes || !clusters->alone)
+                              .alone = mt_arena_new(arena, count, MT_CENSUS_STEPS * sizeof(int))};
+    if (!clusters->moved || !clusters->of || !clusters->area || !clusters->boxes || !clusters->alone)
         return MT_NO_MEMORY;
+    mt_status status = mt_homes_of(m, arena, &homes);
+    if (status != MT_OK) return status;
     for (int i = 0; i < m->contour_count; i++) {
-        homes[2 * i] = home_of(&m->a, &m->contours[i].a);
-        homes[2 * i + 1] = home_of(&m->b, &m->contours[i].b);
         clusters->of[i] = i;
         for (int k = 0; k < i; k++)
-            if (homes[2 * k] == homes[2 * i] || homes[2 * k + 1] == homes[2 * i + 1])
-                unite(clusters->of, i + 1, i, k);
+            if (mt_share_home(&homes, i, k)) unite(clusters->of, i + 1, i, k);
     }
     for (int i = 0; i < m->contour_count; i++) clusters->boxes[i] = way_box(&m->contours[i]);
     for (int i = 0; i < m->contour_count; i++) {
@@ -98,10 +95,6 @@ static mt_status gather(const mt_morph *m, mt_arena *arena, mt_clusters *cluster
 }
 
 /* ---- where they touch ---------------------------------------------------------------------------------------- */
-
-static double place_at(int place) {
-    return (double)place / (MT_CENSUS_STEPS + 1);
-}
 
 /* The contours of one cluster, or of two, at one place: how many components they are. */
 static mt_status components_of(const mt_clusters *c, int one, int other, double t, double chord,
@@ -123,9 +116,9 @@ static mt_status components_of(const mt_clusters *c, int one, int other, double 
 /* Of a cluster alone; it has as many wherever it stands. */
 static mt_status count_alone(const mt_clusters *c, int cluster, int place, double chord, mt_arena *arena,
                              int *count) {
-    int *known = &c->alone[cluster * (MT_CENSUS_STEPS + 1) + place];
+    int *known = &c->alone[cluster * MT_CENSUS_STEPS + place];
     mt_status status = MT_OK;
-    if (*known == 0) status = components_of(c, cluster, cluster, place_at(place), chord, arena, known);
+    if (*known == 0) status = components_of(c, cluster, cluster, mt_census_place(place), chord, arena, known);
     *count = *known;
     return status;
 }
@@ -136,7 +129,7 @@ static mt_status touch_at(const mt_clusters *c, int p, int q, int place, double 
     int alone = 0, beside = 0, together = 0;
     mt_status status = count_alone(c, p, place, chord, arena, &alone);
     if (status == MT_OK) status = count_alone(c, q, place, chord, arena, &beside);
-    if (status == MT_OK) status = components_of(c, p, q, place_at(place), chord, arena, &together);
+    if (status == MT_OK) status = components_of(c, p, q, mt_census_place(place), chord, arena, &together);
     *touch = together < alone + beside;
     mt_arena_rewind(arena, before);
     return status;
@@ -147,17 +140,12 @@ static mt_status do_touch(const mt_clusters *c, int p, int q, double chord, mt_a
     mt_status status = MT_OK;
     *touch = false;
     if (!meet(c->boxes[p], c->boxes[q])) return MT_OK;
-    for (int i = 1; status == MT_OK && !*touch && i <= MT_CENSUS_STEPS; i++)
+    for (int i = 0; status == MT_OK && !*touch && i < MT_CENSUS_STEPS; i++)
         status = touch_at(c, p, q, i, chord, arena, touch);
     return status;
 }
 
 /* ---- making way ---------------------------------------------------------------------------------------------- */
-
-static void set_aside(const mt_clusters *c, int cluster, mt_point by) {
-    for (int i = 0; i < c->morph->contour_count; i++)
-        if (c->of[i] == cluster) c->morph->contours[i].aside = by;
-}
 
 static mt_point way(int distance, int direction) {
     double angle = 2 * M_PI * direction / DIRECTIONS, length = mt_grid_units(distances[distance]);
@@ -168,20 +156,20 @@ static mt_point way(int distance, int direction) {
  * strays less. */
 static mt_status move_away(const mt_clusters *c, int cluster, int other, const mt_params *params,
                            mt_arena *arena, mt_straying *by) {
-    if (!mt_point_equal(c->morph->contours[cluster].aside, (mt_point){0, 0})) return MT_OK;
-    for (int i = 0; i < DISTANCES; i++)
-        for (int k = 0; k < DIRECTIONS; k++) {
-            bool touch;
-            mt_straying tried = *by;
-            set_aside(c, cluster, way(i, k));
-            mt_status status = do_touch(c, cluster, other, mt_grid_units(params->tolerance), arena, &touch);
-            if (status == MT_OK && !touch) status = mt_morph_strays(c->morph, params, arena, &tried);
-            if (status != MT_OK) return status;
-            if (tried.parts >= by->parts) continue;
+    for (int i = 0; i < DISTANCES * DIRECTIONS && !c->moved[cluster]; i++) {
+        bool touch;
+        mt_straying tried = *by;
+        mt_point to = way(i / DIRECTIONS, i % DIRECTIONS);
+        mt_shift(c->morph, c->of, cluster, to);
+        mt_status status = do_touch(c, cluster, other, mt_grid_units(params->tolerance), arena, &touch);
+        if (status == MT_OK && !touch) status = mt_morph_strays(c->morph, by->parts, params, arena, &tried);
+        if (status != MT_OK) return status;
+        c->moved[cluster] = tried.parts < by->parts;
+        if (c->moved[cluster])
             *by = tried;
-            return MT_OK;
-        }
-    set_aside(c, cluster, (mt_point){0, 0});
+        else
+            mt_shift(c->morph, c->of, cluster, (mt_point){-to.x, -to.y});
+    }
     return MT_OK;
 }
 

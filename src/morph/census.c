@@ -47,6 +47,11 @@ double mt_area_excess(double area, double a, double b) {
     return most > 0 ? fmax(0, fmax(area - most, least - area)) / most : 0;
 }
 
+double mt_census_place(int number) {
+    int from_half = (number + 1) / 2, half = (MT_CENSUS_STEPS + 1) / 2;
+    return (double)(number % 2 ? half - from_half : half + from_half) / (MT_CENSUS_STEPS + 1);
+}
+
 /* At one place, flattened within the params' tolerance. */
 static mt_status stray_at(const mt_morph *morph, double t, const mt_params *params, mt_arena *arena,
                           mt_straying *by) {
@@ -68,14 +73,15 @@ static mt_status stray_at(const mt_morph *morph, double t, const mt_params *para
 }
 
 /* Chords may touch where the curves do not: what strays is looked at again, more finely. */
-mt_status mt_morph_strays(const mt_morph *morph, const mt_params *params, mt_arena *arena, mt_straying *by) {
+mt_status mt_morph_strays(const mt_morph *morph, int enough, const mt_params *params, mt_arena *arena,
+                          mt_straying *by) {
     mt_params fine = *params;
     mt_status status = MT_OK;
     mt_straying all = {0};
     fine.tolerance /= MT_OVERLAP_CARE;
-    for (int i = 1; status == MT_OK && i <= MT_CENSUS_STEPS; i++) {
+    for (int i = 0; status == MT_OK && all.parts < enough && i < MT_CENSUS_STEPS; i++) {
         mt_straying here = {0};
-        double t = (double)i / (MT_CENSUS_STEPS + 1);
+        double t = mt_census_place(i);
         status = stray_at(morph, t, params, arena, &here);
         if (status == MT_OK && here.parts > 0) status = stray_at(morph, t, &fine, arena, &here);
         all.parts += here.parts;

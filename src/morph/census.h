@@ -19,6 +19,9 @@ int mt_count_excess(int count, int a, int b);
 /* How far the ink is out of the range of the two ends', relative to the larger. */
 double mt_area_excess(double area, double a, double b);
 
+/* The places between the ends at which is looked, 0 … MT_CENSUS_STEPS - 1: half-way first, then to both sides of it. */
+double mt_census_place(int number);
+
 /* How far a morph strays, over MT_CENSUS_STEPS places between its ends. */
 typedef struct mt_straying {
     int parts; /* by how many components and holes its in-betweens are out of the ends' range, all added up */
@@ -26,7 +29,8 @@ typedef struct mt_straying {
     double ink; /* how far the ink is, at most, relative to the larger end */
 } mt_straying;
 
-/* As mt_morph_blend. */
-mt_status mt_morph_strays(const mt_morph *morph, const mt_params *params, mt_arena *arena, mt_straying *by);
+/* Counts on until the parts are `enough`. As mt_morph_blend. */
+mt_status mt_morph_strays(const mt_morph *morph, int enough, const mt_params *params, mt_arena *arena,
+                          mt_straying *by);
 
 #endif

@@ -14,6 +14,7 @@
 #include "morph/relax.h"
 #include "morph/rotation.h"
 #include "morph/similarity.h"
+#include "morph/together.h"
 
 /* ---- 2.1 convex decomposition -------------------------------------------------------------------------- */
 
@@ -127,11 +128,12 @@ static bool is_sounder(mt_straying tried, mt_straying best) {
     return tried.parts < best.parts && (tried.ink <= MT_INK_EXCESS || tried.ink <= best.ink);
 }
 
-/* In one manner, parts that touch made to stand aside. */
+/* In one manner, parts that come apart drawn together, and those that touch made to stand aside. */
 static mt_status join_soundly(const mt_morph *matched, const mt_terms *terms, mt_arena *arena,
                               mt_morph *joined, mt_straying *by) {
     mt_status status = join(matched, terms, arena, joined);
-    if (status == MT_OK) status = mt_morph_strays(joined, terms->params, arena, by);
+    if (status == MT_OK) status = mt_morph_strays(joined, INT_MAX, terms->params, arena, by);
+    if (status == MT_OK && by->parts > 0) status = mt_draw_together(joined, terms->params, arena, by);
     if (status == MT_OK && by->merged > 0) status = mt_stand_aside(joined, terms->params, arena, by);
     return status;
 }

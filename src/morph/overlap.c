@@ -97,26 +97,6 @@ static double turn_at(const mt_ring *ring, int at) {
 
 /* ---- how far it may go ------------------------------------------------------------------------------------------- */
 
-static double to_segment(mt_point p, mt_point a, mt_point b) {
-    double length2 = (double)mt_distance2(a, b),
-           along = length2 > 0 ? (double)mt_dot(a, b, a, p) / length2 : 0;
-    double t = fmin(1, fmax(0, along));
-    return hypot(p.x - a.x - t * ((double)b.x - a.x), p.y - a.y - t * ((double)b.y - a.y));
-}
-
-/* How far the vertices of one ring are from another ring. */
-static double one_way(const mt_ring *a, const mt_ring *b) {
-    double least = INFINITY;
-    for (int i = 0; i < a->count; i++)
-        for (int k = 0; k < b->count; k++)
-            least = fmin(least, to_segment(a->points[i], b->points[k], b->points[(k + 1) % b->count]));
-    return least;
-}
-
-static double gap_between(const mt_component *a, const mt_component *b) {
-    return fmin(one_way(&a->rings[0], &b->rings[0]), one_way(&b->rings[0], &a->rings[0]));
-}
-
 /* Whether two segments cross, each at an inner point of it. */
 static bool do_cross(mt_point a, mt_point b, mt_point c, mt_point d) {
     int64_t p = mt_orient(a, b, c), q = mt_orient(a, b, d), r = mt_orient(c, d, a), s = mt_orient(c, d, b);
@@ -197,7 +177,9 @@ static mt_status overlap_side(const mt_shape *drawn, const mt_cut_side *cut, con
         if (!twin || edge->share > twin->share) continue;
         int p = cut->partner[edge->share], q = cut->partner[twin->share];
         if (p < 0 || q < 0) continue;
-        double gap = gap_between(&other->shares.components[p], &other->shares.components[q]);
+        mt_point way;
+        double gap =
+            mt_ring_gap(&other->shares.components[p].rings[0], &other->shares.components[q].rings[0], &way);
         bool ends = turn_at(&cut->shares.components[edge->share].rings[0], edge->at) >=
                     turn_at(&cut->shares.components[twin->share].rings[0], twin->at);
         status = overlap(drawn, made, ends ? edge : twin, times * gap, arena);

@@ -2,13 +2,6 @@
 
 #include <math.h>
 
-static double to_edge(mt_point p, mt_point a, mt_point b) {
-    double length2 = (double)mt_distance2(a, b),
-           along = length2 > 0 ? (double)mt_dot(a, b, a, p) / length2 : 0;
-    double t = fmin(1, fmax(0, along));
-    return hypot(p.x - a.x - t * ((double)b.x - a.x), p.y - a.y - t * ((double)b.y - a.y));
-}
-
 /* Whether an edge is crossed by the ray from p to the right. */
 static bool crosses(mt_point p, mt_point a, mt_point b) {
     if ((a.y <= p.y) == (b.y <= p.y)) return false;
@@ -23,7 +16,8 @@ static double to_border(const mt_component *component, mt_point p, bool *in_ink)
         for (int i = 0; i < component->rings[r].count; i++) {
             mt_point a = component->rings[r].points[i];
             mt_point b = component->rings[r].points[(i + 1) % component->rings[r].count];
-            least = fmin(least, to_edge(p, a, b));
+            double way[2], distance = mt_way_to_edge(p, a, b, way);
+            if (distance < least) least = distance;
             inside ^= crosses(p, a, b);
         }
     *in_ink = inside;

@@ -1,0 +1,30 @@
+#include "morph/homes.h"
+
+#include "morph/place.h"
+
+static int home_of(const mt_side *side, const mt_contour *contour) {
+    return mt_component_at(&side->whole, contour->segments[0].end);
+}
+
+mt_status mt_homes_of(const mt_morph *morph, mt_arena *arena, mt_homes *homes) {
+    size_t count = (size_t)morph->contour_count;
+    *homes = (mt_homes){mt_arena_new(arena, count, sizeof(int)), mt_arena_new(arena, count, sizeof(int))};
+    if (!homes->in_a || !homes->in_b) return MT_NO_MEMORY;
+    for (int i = 0; i < morph->contour_count; i++) {
+        homes->in_a[i] = home_of(&morph->a, &morph->contours[i].a);
+        homes->in_b[i] = home_of(&morph->b, &morph->contours[i].b);
+    }
+    return MT_OK;
+}
+
+bool mt_share_home(const mt_homes *homes, int contour, int other) {
+    return homes->in_a[contour] == homes->in_a[other] || homes->in_b[contour] == homes->in_b[other];
+}
+
+void mt_shift(const mt_morph *morph, const int *numbers, int number, mt_point by) {
+    for (int i = 0; i < morph->contour_count; i++) {
+        if (numbers[i] != number) continue;
+        morph->contours[i].aside.x += by.x;
+        morph->contours[i].aside.y += by.y;
+    }
+}
