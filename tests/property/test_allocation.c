@@ -47,7 +47,7 @@ static int set_up(void **state) {
     (void)state;
     mt_random random = mt_random_case(0);
     make_inputs(&random, 24, &few);
-    make_inputs(&random, 400, &many);
+    make_inputs(&random, 150, &many);
     return 0;
 }
 
