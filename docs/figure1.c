@@ -46,7 +46,7 @@ static mt_status whole_sum(const mt_morph *morph, mt_weights weights, mt_arena *
             if (status != MT_OK) return status;
             mt_minkowski(&a->rings[i], &b->rings[j], weights, sum);
         }
-    return mt_union(&sums, arena, shape);
+    return mt_union(&sums, MT_NONZERO, arena, shape);
 }
 
 static void draw_shape(cairo_t *cairo, const mt_shape *shape, double left, double baseline) {

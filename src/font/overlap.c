@@ -91,7 +91,7 @@ static mt_status count_regions(const mt_drawer *drawer, const mt_outline *outlin
     mt_shape shape;
     double tolerance = mt_grid_units(drawer->font->tolerance) / MT_OVERLAP_CARE;
     mt_status status = mt_flatten(outline, tolerance, scratch, &rings);
-    if (status == MT_OK) status = mt_union(&rings, scratch, &shape);
+    if (status == MT_OK) status = mt_union(&rings, MT_NONZERO, scratch, &shape);
     if (status == MT_OK) *count = shape.count;
     return status;
 }

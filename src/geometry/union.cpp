@@ -141,11 +141,12 @@ mt_status shape_of(const PolyTree &tree, const Marks &marks, mt_arena *arena, mt
 
 } // namespace
 
-extern "C" mt_status mt_union(const mt_rings *rings, mt_arena *arena, mt_shape *shape) try {
+extern "C" mt_status mt_union(const mt_rings *rings, mt_rule rule, mt_arena *arena, mt_shape *shape) try {
     Clipper clipper;
     PolyTree tree;
     clipper.AddPaths(paths_of(rings), ptSubject, true);
-    clipper.Execute(ctUnion, tree, pftNonZero, pftNonZero);
+    PolyFillType filled = rule == MT_POSITIVE ? pftPositive : pftNonZero;
+    clipper.Execute(ctUnion, tree, filled, filled);
     mt_shape made;
     mt_status status = shape_of(tree, Marks(rings), arena, &made);
     if (status == MT_OK) *shape = made;

@@ -7,10 +7,6 @@
 #include "morph/homes.h"
 #include "morph/masters.h"
 
-/* How far contours may stand aside half-way, 1/1000 em: the least first. More would be seen. */
-static const double distances[] = {2, 4, 8, 16, 32};
-enum { DISTANCES = sizeof distances / sizeof *distances, DIRECTIONS = 8 };
-
 /* Contours in clusters: those whose components are one at either end have to stay together. */
 typedef struct mt_clusters {
     const mt_morph *morph;
@@ -27,18 +23,6 @@ static void unite(int *of, int count, int i, int k) {
     int low = of[i] < of[k] ? of[i] : of[k], high = of[i] < of[k] ? of[k] : of[i];
     for (int c = 0; c < count; c++)
         if (of[c] == high) of[c] = low;
-}
-
-static double area_half_way(const mt_masters *m) {
-    double area = 0;
-    for (int i = 0; i < m->a.count; i++) {
-        const mt_segment *s = &m->a.segments[i], *t = &m->b.segments[i],
-                         *u = &m->a.segments[(i + 1) % m->a.count], *v = &m->b.segments[(i + 1) % m->a.count];
-        double px = s->end.x / 2.0 + t->end.x / 2.0, py = s->end.y / 2.0 + t->end.y / 2.0,
-               qx = u->end.x / 2.0 + v->end.x / 2.0, qy = u->end.y / 2.0 + v->end.y / 2.0;
-        area += (px * qy - py * qx) / 2;
-    }
-    return area;
 }
 
 static mt_box around(mt_box p, mt_box q) {
@@ -88,7 +72,7 @@ static mt_status gather(const mt_morph *m, mt_arena *arena, mt_clusters *cluster
     for (int i = 0; i < m->contour_count; i++) clusters->boxes[i] = way_box(&m->contours[i]);
     for (int i = 0; i < m->contour_count; i++) {
         int head = clusters->of[i];
-        clusters->area[head] += area_half_way(&m->contours[i]);
+        clusters->area[head] += mt_masters_area(&m->contours[i]);
         clusters->boxes[head] = around(clusters->boxes[head], clusters->boxes[i]);
     }
     return MT_OK;
@@ -108,7 +92,7 @@ static mt_status components_of(const mt_clusters *c, int one, int other, double 
             status = mt_masters_mix(&c->morph->contours[i], mt_weights_at(t), arena,
                                     &outline.contours[outline.count++]);
     if (status == MT_OK) status = mt_flatten(&outline, chord, arena, &rings);
-    if (status == MT_OK) status = mt_union(&rings, arena, &shape);
+    if (status == MT_OK) status = mt_union(&rings, MT_POSITIVE, arena, &shape);
     if (status == MT_OK) *count = mt_census_of(&shape).components;
     return status;
 }
@@ -118,7 +102,8 @@ static mt_status count_alone(const mt_clusters *c, int cluster, int place, doubl
                              int *count) {
     int *known = &c->alone[cluster * MT_CENSUS_STEPS + place];
     mt_status status = MT_OK;
-    if (*known == 0) status = components_of(c, cluster, cluster, mt_census_place(place), chord, arena, known);
+    if (*known == 0)
+        status = components_of(c, cluster, cluster, mt_census_place(c->morph, place), chord, arena, known);
     *count = *known;
     return status;
 }
@@ -129,7 +114,8 @@ static mt_status touch_at(const mt_clusters *c, int p, int q, int place, double 
     int alone = 0, beside = 0, together = 0;
     mt_status status = count_alone(c, p, place, chord, arena, &alone);
     if (status == MT_OK) status = count_alone(c, q, place, chord, arena, &beside);
-    if (status == MT_OK) status = components_of(c, p, q, mt_census_place(place), chord, arena, &together);
+    if (status == MT_OK)
+        status = components_of(c, p, q, mt_census_place(c->morph, place), chord, arena, &together);
     *touch = together < alone + beside;
     mt_arena_rewind(arena, before);
     return status;
@@ -147,19 +133,14 @@ static mt_status do_touch(const mt_clusters *c, int p, int q, double chord, mt_a
 
 /* ---- making way ---------------------------------------------------------------------------------------------- */
 
-static mt_point way(int distance, int direction) {
-    double angle = 2 * M_PI * direction / DIRECTIONS, length = mt_grid_units(distances[distance]);
-    return (mt_point){(int32_t)lround(length * cos(angle)), (int32_t)lround(length * sin(angle))};
-}
-
 /* Moves a cluster that touches another by as little as helps, unless it has moved: the two are apart then, and all of the glyph
  * strays less. */
 static mt_status move_away(const mt_clusters *c, int cluster, int other, const mt_params *params,
                            mt_arena *arena, mt_straying *by) {
-    for (int i = 0; i < DISTANCES * DIRECTIONS && !c->moved[cluster]; i++) {
+    for (int i = 0; i < MT_ASIDE_WAYS && !c->moved[cluster]; i++) {
         bool touch;
         mt_straying tried = *by;
-        mt_point to = way(i / DIRECTIONS, i % DIRECTIONS);
+        mt_point to = mt_aside_way(i);
         mt_shift(c->morph, c->of, cluster, to);
         mt_status status = do_touch(c, cluster, other, mt_grid_units(params->tolerance), arena, &touch);
         if (status == MT_OK && !touch) status = mt_morph_strays(c->morph, by->parts, params, arena, &tried);

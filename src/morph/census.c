@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "geometry/limits.h"
+#include "geometry/union.h"
 
 /* ---- one shape ------------------------------------------------------------------------------------------- */
 
@@ -47,27 +48,38 @@ double mt_area_excess(double area, double a, double b) {
     return most > 0 ? fmax(0, fmax(area - most, least - area)) / most : 0;
 }
 
-double mt_census_place(int number) {
+double mt_census_place(const mt_morph *morph, int number) {
     int from_half = (number + 1) / 2, half = (MT_CENSUS_STEPS + 1) / 2;
-    return (double)(number % 2 ? half - from_half : half + from_half) / (MT_CENSUS_STEPS + 1);
+    bool before = (number % 2 != 0) == (mt_shape_area2(&morph->a.whole) >= mt_shape_area2(&morph->b.whole));
+    return (double)(before ? half - from_half : half + from_half) / (MT_CENSUS_STEPS + 1);
 }
 
-/* At one place, flattened within the params' tolerance. */
-static mt_status stray_at(const mt_morph *morph, double t, const mt_params *params, mt_arena *arena,
-                          mt_straying *by) {
-    mt_census a = mt_census_of(&morph->a.whole), b = mt_census_of(&morph->b.whole);
+mt_status mt_census_shape(const mt_morph *morph, double t, const mt_params *params, mt_arena *arena,
+                          mt_shape *shape) {
+    mt_rings rings;
+    mt_status status = mt_morph_rings(morph, mt_weights_at(t), params, arena, &rings);
+    return status == MT_OK ? mt_union(&rings, MT_POSITIVE, arena, shape) : status;
+}
+
+static int fewer_than_both(int count, int a, int b) {
+    return count < a && count < b ? mt_count_excess(count, a, b) : 0;
+}
+
+static mt_straying straying(const mt_census *at, const mt_census *a, const mt_census *b) {
+    return (mt_straying){.parts = mt_count_excess(at->components, a->components, b->components) +
+                                  mt_count_excess(at->holes, a->holes, b->holes),
+                         .merged = fewer_than_both(at->components, a->components, b->components),
+                         .opened = fewer_than_both(at->holes, a->holes, b->holes),
+                         .ink = mt_area_excess(at->area, a->area, b->area)};
+}
+
+/* What is drawn at one place, flattened within the params' tolerance. */
+static mt_status count_at(const mt_morph *morph, double t, const mt_params *params, mt_arena *arena,
+                          mt_census *at) {
     mt_shape shape;
     mt_arena_place before = mt_arena_mark(arena);
-    mt_status status = mt_morph_blend(morph, mt_weights_at(t), params, arena, &shape);
-    if (status == MT_OK) {
-        mt_census at = mt_census_of(&shape);
-        by->parts = mt_count_excess(at.components, a.components, b.components) +
-                    mt_count_excess(at.holes, a.holes, b.holes);
-        by->merged = at.components < a.components && at.components < b.components
-                         ? mt_count_excess(at.components, a.components, b.components)
-                         : 0;
-        by->ink = mt_area_excess(at.area, a.area, b.area);
-    }
+    mt_status status = mt_census_shape(morph, t, params, arena, &shape);
+    if (status == MT_OK) *at = mt_census_of(&shape);
     mt_arena_rewind(arena, before);
     return status;
 }
@@ -75,19 +87,23 @@ static mt_status stray_at(const mt_morph *morph, double t, const mt_params *para
 /* Chords may touch where the curves do not: what strays is looked at again, more finely. */
 mt_status mt_morph_strays(const mt_morph *morph, int enough, const mt_params *params, mt_arena *arena,
                           mt_straying *by) {
+    const mt_census a = mt_census_of(&morph->a.whole), b = mt_census_of(&morph->b.whole);
     mt_params fine = *params;
-    mt_status status = MT_OK;
     mt_straying all = {0};
     fine.tolerance /= MT_OVERLAP_CARE;
-    for (int i = 0; status == MT_OK && all.parts < enough && i < MT_CENSUS_STEPS; i++) {
-        mt_straying here = {0};
-        double t = mt_census_place(i);
-        status = stray_at(morph, t, params, arena, &here);
-        if (status == MT_OK && here.parts > 0) status = stray_at(morph, t, &fine, arena, &here);
+    for (int i = 0; all.parts < enough && i < MT_CENSUS_STEPS; i++) {
+        double t = mt_census_place(morph, i);
+        mt_census at;
+        mt_status status = count_at(morph, t, params, arena, &at);
+        if (status == MT_OK && straying(&at, &a, &b).parts > 0)
+            status = count_at(morph, t, &fine, arena, &at);
+        if (status != MT_OK) return status;
+        mt_straying here = straying(&at, &a, &b);
         all.parts += here.parts;
         all.merged += here.merged;
+        all.opened += here.opened;
         all.ink = fmax(all.ink, here.ink);
     }
-    if (status == MT_OK) *by = all;
-    return status;
+    *by = all;
+    return MT_OK;
 }

@@ -19,13 +19,20 @@ int mt_count_excess(int count, int a, int b);
 /* How far the ink is out of the range of the two ends', relative to the larger. */
 double mt_area_excess(double area, double a, double b);
 
-/* The places between the ends at which is looked, 0 … MT_CENSUS_STEPS - 1: half-way first, then to both sides of it. */
-double mt_census_place(int number);
+/* The places between the ends at which is looked, 0 … MT_CENSUS_STEPS - 1: half-way first, then to both sides of it, first
+ * towards the end with more ink, so that it is all the same which end is A. */
+double mt_census_place(const mt_morph *morph, int number);
+
+/* The ink at a place as it is meant: where a hole's contour leaves what it is a hole of, nothing is drawn, though the nonzero
+ * rule of fonts draws it. As mt_morph_blend. */
+mt_status mt_census_shape(const mt_morph *morph, double t, const mt_params *params, mt_arena *arena,
+                          mt_shape *shape);
 
 /* How far a morph strays, over MT_CENSUS_STEPS places between its ends. */
 typedef struct mt_straying {
     int parts; /* by how many components and holes its in-betweens are out of the ends' range, all added up */
     int merged; /* of these, the components that are fewer than at either end */
+    int opened; /* and the holes that are */
     double ink; /* how far the ink is, at most, relative to the larger end */
 } mt_straying;
 

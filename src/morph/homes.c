@@ -1,5 +1,8 @@
 #include "morph/homes.h"
 
+#include <math.h>
+
+#include "geometry/limits.h"
 #include "morph/place.h"
 
 static int home_of(const mt_side *side, const mt_contour *contour) {
@@ -19,6 +22,14 @@ mt_status mt_homes_of(const mt_morph *morph, mt_arena *arena, mt_homes *homes) {
 
 bool mt_share_home(const mt_homes *homes, int contour, int other) {
     return homes->in_a[contour] == homes->in_a[other] || homes->in_b[contour] == homes->in_b[other];
+}
+
+mt_point mt_aside_way(int number) {
+    static const double distances[] = {2, 4, 8, 16, 32, 48};
+    enum { DISTANCES = sizeof distances / sizeof *distances, DIRECTIONS = MT_ASIDE_WAYS / DISTANCES };
+    double angle = 2 * M_PI * (number % DIRECTIONS) / DIRECTIONS,
+           length = mt_grid_units(distances[number / DIRECTIONS]);
+    return (mt_point){(int32_t)lround(length * cos(angle)), (int32_t)lround(length * sin(angle))};
 }
 
 void mt_shift(const mt_morph *morph, const int *numbers, int number, mt_point by) {

@@ -15,6 +15,10 @@ mt_status mt_homes_of(const mt_morph *morph, mt_arena *arena, mt_homes *homes);
 /* Whether two contours are of one component at either end. */
 bool mt_share_home(const mt_homes *homes, int contour, int other);
 
+/* The ways to stand aside half-way that are tried, grid units: the least first, 2 … 32/1000 em. More would be seen. */
+enum { MT_ASIDE_WAYS = 48 };
+mt_point mt_aside_way(int number);
+
 /* Lets the contours that are numbered so stand aside by so much more half-way (mt_masters.aside). */
 void mt_shift(const mt_morph *morph, const int *numbers, int number, mt_point by);
 

@@ -73,7 +73,7 @@ static mt_status is_drawable(const mt_joining *j, const mt_masters *contours, in
     for (int i = 0; status == MT_OK && i < count; i++)
         status = mt_masters_mix(&contours[i], mt_weights_at(0.5), j->arena, &outline.contours[i]);
     if (status == MT_OK) status = mt_flatten(&outline, j->terms->manner.chord, j->arena, &rings);
-    if (status == MT_OK) status = mt_union(&rings, j->arena, &shape);
+    if (status == MT_OK) status = mt_union(&rings, MT_NONZERO, j->arena, &shape);
     if (status != MT_OK) return status;
     double ink = (double)mt_shape_area2(&shape), drawn = (double)signed_area2(&rings);
     *drawable = fabs(drawn - ink) <= OVERLAP_MOST * ink;

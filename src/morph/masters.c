@@ -256,3 +256,15 @@ mt_status mt_masters_mix(const mt_masters *masters, mt_weights weights, mt_arena
     *contour = made;
     return MT_OK;
 }
+
+double mt_masters_area(const mt_masters *m) {
+    double area = 0;
+    for (int i = 0; i < m->a.count; i++) {
+        const mt_segment *s = &m->a.segments[i], *t = &m->b.segments[i],
+                         *u = &m->a.segments[(i + 1) % m->a.count], *v = &m->b.segments[(i + 1) % m->a.count];
+        double px = s->end.x / 2.0 + t->end.x / 2.0, py = s->end.y / 2.0 + t->end.y / 2.0,
+               qx = u->end.x / 2.0 + v->end.x / 2.0, qy = u->end.y / 2.0 + v->end.y / 2.0;
+        area += (px * qy - py * qx) / 2;
+    }
+    return area;
+}

@@ -14,4 +14,7 @@ mt_status mt_masters_fit(const mt_stops *a, const mt_stops *b, const mt_alignmen
 /* The contour at these weights. MT_NO_MEMORY. */
 mt_status mt_masters_mix(const mt_masters *masters, mt_weights weights, mt_arena *arena, mt_contour *contour);
 
+/* The area of the polygon of its nodes half-way, grid units squared: negative for a hole. */
+double mt_masters_area(const mt_masters *masters);
+
 #endif

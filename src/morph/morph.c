@@ -7,6 +7,7 @@
 #include "geometry/limits.h"
 #include "geometry/union.h"
 #include "morph/aside.h"
+#include "morph/counters.h"
 #include "morph/joint.h"
 #include "morph/known.h"
 #include "morph/links.h"
@@ -79,7 +80,8 @@ static mt_status turn_b(mt_morph *morph, const mt_params *params, mt_arena *aren
         mt_shape_turn(&morph->b.shape, mt_box_middle(morph->b.box), -morph->degrees, arena, &turned);
     if (status == MT_OK) status = mt_shape_rings(&turned, arena, &turned_rings);
     if (status == MT_OK)
-        status = mt_union(&turned_rings, arena, &morph->b.whole); /* rounding may make edges touch */
+        status =
+            mt_union(&turned_rings, MT_NONZERO, arena, &morph->b.whole); /* rounding may make edges touch */
     if (status != MT_OK) return status;
     morph->b.shape = morph->b.whole;
     morph->b.box = mt_shape_box(&morph->b.whole);
@@ -128,20 +130,21 @@ static bool is_sounder(mt_straying tried, mt_straying best) {
     return tried.parts < best.parts && (tried.ink <= MT_INK_EXCESS || tried.ink <= best.ink);
 }
 
-/* In one manner, parts that come apart drawn together, and those that touch made to stand aside. */
+/* In one manner: parts that come apart drawn together, those that touch made to stand aside, counters kept clear. */
 static mt_status join_soundly(const mt_morph *matched, const mt_terms *terms, mt_arena *arena,
                               mt_morph *joined, mt_straying *by) {
     mt_status status = join(matched, terms, arena, joined);
     if (status == MT_OK) status = mt_morph_strays(joined, INT_MAX, terms->params, arena, by);
     if (status == MT_OK && by->parts > 0) status = mt_draw_together(joined, terms->params, arena, by);
     if (status == MT_OK && by->merged > 0) status = mt_stand_aside(joined, terms->params, arena, by);
+    if (status == MT_OK && by->opened > 0) status = mt_keep_counters(joined, terms->params, arena, by);
     return status;
 }
 
 /* In one manner after the other, until the glyph does not stray on the way; of those that all do, in the one that strays least. */
 static mt_status join_best(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
     mt_morph best = *morph, tried;
-    mt_straying least = {INT_MAX, 0, INFINITY}, by;
+    mt_straying least = {.parts = INT_MAX, .ink = INFINITY}, by;
     mt_known *known = mt_arena_new(arena, 1, sizeof *known);
     if (!known) return MT_NO_MEMORY;
     for (int i = 0; i < mt_manner_count() && least.parts > 0; i++) {
@@ -207,19 +210,26 @@ static mt_status mix_contours(const mt_morph *morph, mt_weights weights, int mor
     return MT_OK;
 }
 
-mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, const mt_params *params, mt_arena *arena,
-                         mt_shape *blend) {
+mt_status mt_morph_rings(const mt_morph *morph, mt_weights weights, const mt_params *params, mt_arena *arena,
+                         mt_rings *rings) {
     mt_outline aligned;
-    mt_rings flat, all;
+    mt_rings flat;
     mt_status status = mix_contours(morph, weights, 0, arena, &aligned);
     if (status == MT_OK) status = mt_flatten(&aligned, mt_grid_units(params->tolerance), arena, &flat);
-    if (status == MT_OK) status = sums_of_links(morph, weights, flat.count, arena, &all);
+    if (status == MT_OK) status = sums_of_links(morph, weights, flat.count, arena, rings);
     if (status != MT_OK) return status;
-    for (int i = 0; i < flat.count; i++) all.rings[all.count++] = flat.rings[i];
-    for (int i = 0; i < all.count; i++)
-        for (int k = 0; k < all.rings[i].count; k++)
-            all.rings[i].points[k] = mt_morph_turn(morph, weights, all.rings[i].points[k]);
-    return mt_union(&all, arena, blend);
+    for (int i = 0; i < flat.count; i++) rings->rings[rings->count++] = flat.rings[i];
+    for (int i = 0; i < rings->count; i++)
+        for (int k = 0; k < rings->rings[i].count; k++)
+            rings->rings[i].points[k] = mt_morph_turn(morph, weights, rings->rings[i].points[k]);
+    return MT_OK;
+}
+
+mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, const mt_params *params, mt_arena *arena,
+                         mt_shape *blend) {
+    mt_rings rings;
+    mt_status status = mt_morph_rings(morph, weights, params, arena, &rings);
+    return status == MT_OK ? mt_union(&rings, MT_NONZERO, arena, blend) : status;
 }
 
 /* ---- the blend as curves ------------------------------------------------------------------------------- */
@@ -239,7 +249,7 @@ static mt_status both_kinds(const mt_morph *morph, mt_weights weights, const mt_
     mt_shape linked;
     mt_outline fitted;
     mt_status status = sums_of_links(morph, weights, 0, arena, &sums);
-    if (status == MT_OK) status = mt_union(&sums, arena, &linked);
+    if (status == MT_OK) status = mt_union(&sums, MT_NONZERO, arena, &linked);
     if (status == MT_OK) status = mt_shape_outline(&linked, params, arena, &fitted);
     if (status == MT_OK) status = mix_contours(morph, weights, fitted.count, arena, outline);
     if (status != MT_OK) return status;
@@ -264,9 +274,9 @@ static mt_status outline_between(const mt_morph *morph, mt_weights weights, cons
     bool clean = false;
     double tolerance = mt_grid_units(params->tolerance);
     mt_status status = both_kinds(morph, weights, params, arena, outline);
-    if (status == MT_OK) status = mt_outline_resolve(outline, tolerance, arena, &shape, &clean);
+    if (status == MT_OK) status = mt_outline_resolve(outline, MT_NONZERO, tolerance, arena, &shape, &clean);
     if (status == MT_OK && !clean)
-        status = mt_outline_resolve(outline, tolerance / MT_OVERLAP_CARE, arena, &shape, &clean);
+        status = mt_outline_resolve(outline, MT_NONZERO, tolerance / MT_OVERLAP_CARE, arena, &shape, &clean);
     return status == MT_OK && !clean ? mt_shape_outline(&shape, params, arena, outline) : status;
 }
 

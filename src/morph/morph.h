@@ -51,6 +51,10 @@ typedef struct mt_morph {
 mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints *hints,
                            const mt_params *params, mt_arena *arena, mt_morph *morph);
 
+/* The rings that the blend at these weights is the union of: links' sums, and contours flattened within the params' tolerance. */
+mt_status mt_morph_rings(const mt_morph *morph, mt_weights weights, const mt_params *params, mt_arena *arena,
+                         mt_rings *rings);
+
 /* The blend C(r), or C_int(r) with rotation, as polygons: the ink at these weights. May be called for many
  * weights. */
 mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, const mt_params *params, mt_arena *arena,

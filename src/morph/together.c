@@ -44,7 +44,7 @@ static mt_status look(const mt_glyph *glyph, double t, mt_arena *arena, mt_scene
     *scene = (mt_scene){
         .glyph = glyph, .t = t, .part_of = mt_arena_new(arena, (size_t)m->contour_count, sizeof(int))};
     if (!scene->part_of) return MT_NO_MEMORY;
-    mt_status status = mt_morph_blend(m, mt_weights_at(t), glyph->params, arena, &scene->shape);
+    mt_status status = mt_census_shape(m, t, glyph->params, arena, &scene->shape);
     for (int i = 0; status == MT_OK && i < m->contour_count; i++) {
         mt_contour contour;
         status = mt_masters_mix(&m->contours[i], mt_weights_at(t), arena, &contour);
@@ -96,7 +96,7 @@ static mt_point closing(const mt_scene *s, const mt_rift *rift, double lap) {
 static mt_status is_closed(const mt_scene *s, mt_arena *arena, bool *closed) {
     mt_shape shape;
     mt_arena_place before = mt_arena_mark(arena);
-    mt_status status = mt_morph_blend(s->glyph->morph, mt_weights_at(s->t), s->glyph->params, arena, &shape);
+    mt_status status = mt_census_shape(s->glyph->morph, s->t, s->glyph->params, arena, &shape);
     *closed = status == MT_OK && mt_census_of(&shape).components < mt_census_of(&s->shape).components;
     mt_arena_rewind(arena, before);
     return status;
@@ -167,6 +167,6 @@ mt_status mt_draw_together(mt_morph *morph, const mt_params *params, mt_arena *a
     mt_status status = mt_homes_of(morph, arena, &glyph.homes);
     bool closed = true;
     for (int i = 0; status == MT_OK && closed && by->parts > 0 && i < MT_CENSUS_STEPS; i++)
-        status = close_at(&glyph, mt_census_place(i), arena, by, &closed);
+        status = close_at(&glyph, mt_census_place(morph, i), arena, by, &closed);
     return status;
 }

@@ -41,7 +41,7 @@ static mt_status read_shape(mt_font *font, uint32_t code_point, const mt_params 
     lap(t, READ, &from);
     if (status == MT_OK) status = mt_flatten(&outline, params->tolerance * MT_EM / 1000, &arena, &rings);
     lap(t, FLATTEN, &from);
-    if (status == MT_OK) status = mt_union(&rings, &arena, shape);
+    if (status == MT_OK) status = mt_union(&rings, MT_NONZERO, &arena, shape);
     lap(t, RESOLVE, &from);
     for (int i = 0; status == MT_OK && i < rings.count; i++) t->points += rings.rings[i].count;
     return status;

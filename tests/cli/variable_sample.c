@@ -129,7 +129,7 @@ static double read_hb(hb_font_t *font, uint32_t code_point, mt_reader *reader) {
 static mt_shape ink_of(const mt_outline *outline, mt_arena *arena) {
     mt_shape shape;
     bool clean;
-    mt_assert_ok(mt_outline_resolve(outline, TOLERANCE, arena, &shape, &clean));
+    mt_assert_ok(mt_outline_resolve(outline, MT_NONZERO, TOLERANCE, arena, &shape, &clean));
     return shape;
 }
 
@@ -142,7 +142,7 @@ static double shared_share(const mt_shape *a, const mt_shape *b, mt_arena *arena
     assert_non_null(all.rings);
     for (int i = 0; i < in_a.count; i++) all.rings[all.count++] = in_a.rings[i];
     for (int i = 0; i < in_b.count; i++) all.rings[all.count++] = in_b.rings[i];
-    mt_assert_ok(mt_union(&all, arena, &both));
+    mt_assert_ok(mt_union(&all, MT_NONZERO, arena, &both));
     double union_area = (double)mt_shape_area2(&both);
     if (union_area == 0) return 1;
     return ((double)mt_shape_area2(a) + (double)mt_shape_area2(b) - union_area) / union_area;

@@ -115,7 +115,7 @@ static mt_status decompose(mt_arena *arena) {
 
 static mt_status unite(mt_arena *arena) {
     mt_shape shape;
-    return mt_union(&now->drawing, arena, &shape);
+    return mt_union(&now->drawing, MT_NONZERO, arena, &shape);
 }
 
 static mt_status flatten(mt_arena *arena) {

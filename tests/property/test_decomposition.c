@@ -66,7 +66,7 @@ static void resolved_scrawls(void **state) {
             drawing.rings[k] = mt_random_scrawl(&random, &arena, mt_random_between(&random, 3, 20), MT_EM);
         mt_shape shape;
         mt_subject subject = {"resolved_scrawls", i, {&drawing}};
-        mt_require(mt_union(&drawing, &arena, &shape) == MT_OK, &subject);
+        mt_require(mt_union(&drawing, MT_NONZERO, &arena, &shape) == MT_OK, &subject);
         for (int k = 0; k < shape.count; k++, components++) {
             mt_pieces pieces;
             subject.shapes[1] = &shape.components[k];

@@ -106,7 +106,7 @@ static void ink(mt_font *a, mt_font *b, uint32_t code_point, mt_random *random, 
     mt_require(mt_font_outline(a, mt_font_glyph(a, code_point), &arena, &outline, &advance) == MT_OK,
                subject);
     mt_require(mt_flatten(&outline, MT_EM / 2000, &arena, &rings) == MT_OK, subject);
-    mt_require(mt_union(&rings, &arena, &shape) == MT_OK, subject);
+    mt_require(mt_union(&rings, MT_NONZERO, &arena, &shape) == MT_OK, subject);
     for (int i = 0; i < 200; i++) {
         mt_spot spot = {mt_random_between(random, -50000, MT_EM), mt_random_between(random, -80000, MT_EM)};
         if (mt_oracle_distance(&rings, 1, spot) <= 1) continue;
@@ -129,7 +129,7 @@ static void check_equal(const mt_shape *p, const mt_shape *q, const mt_subject *
     for (int i = 0; i < both.count; i++)
         both.rings[i] = i < one.count ? one.rings[i] : other.rings[i - one.count];
     mt_shape together;
-    mt_require(mt_union(&both, &arena, &together) == MT_OK, subject);
+    mt_require(mt_union(&both, MT_NONZERO, &arena, &together) == MT_OK, subject);
     mt_require(mt_oracle_shape_area2(p) == mt_oracle_shape_area2(q), subject);
     mt_require(mt_oracle_shape_area2(&together) == mt_oracle_shape_area2(p), subject);
 }

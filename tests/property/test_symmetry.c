@@ -68,7 +68,7 @@ static double area_apart(const mt_shape *p, const mt_shape *q, const mt_subject 
     for (int i = 0; i < both.count; i++)
         both.rings[i] = i < one.count ? one.rings[i] : other.rings[i - one.count];
     mt_shape together;
-    mt_require(mt_union(&both, &arena, &together) == MT_OK, subject);
+    mt_require(mt_union(&both, MT_NONZERO, &arena, &together) == MT_OK, subject);
     mt_wide each = mt_oracle_shape_area2(p) + mt_oracle_shape_area2(q);
     return (double)(2 * mt_oracle_shape_area2(&together) - each) / 2;
 }

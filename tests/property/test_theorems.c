@@ -75,7 +75,7 @@ static bool check_equal(const mt_shape *p, const mt_shape *q, const mt_subject *
     for (int i = 0; i < both.count; i++)
         both.rings[i] = i < one.count ? one.rings[i] : other.rings[i - one.count];
     mt_shape together;
-    mt_require(mt_union(&both, &arena, &together) == MT_OK, subject);
+    mt_require(mt_union(&both, MT_NONZERO, &arena, &together) == MT_OK, subject);
     double difference = (double)(2 * area2(&together) - area2(p) - area2(q)) / 2;
     mt_require(fabs(difference) <= mt_oracle_shape_length(q), subject);
     return area2(p) == area2(q) && area2(&together) == area2(q);
@@ -267,7 +267,8 @@ static void finer_links_give_less(void **state) {
                 if (mt_random_one_in(&t.random, 3)) some.rings[some.count++] = all.rings[all.count - 1];
             }
         mt_shape coarse = blend_of(&t.a, &t.b, &t, t.weights), fine, finer;
-        mt_require(mt_union(&all, &arena, &fine) == MT_OK && mt_union(&some, &arena, &finer) == MT_OK,
+        mt_require(mt_union(&all, MT_NONZERO, &arena, &fine) == MT_OK &&
+                       mt_union(&some, MT_NONZERO, &arena, &finer) == MT_OK,
                    &t.subject);
         check_near(&coarse, &fine, NEAR, &t.subject);
         for (int i = 0; i < SIDE * SIDE; i++) {

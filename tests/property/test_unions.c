@@ -46,7 +46,7 @@ static void scrawls(void **state) {
             drawing.rings[k] = mt_random_scrawl(&random, &arena, mt_random_between(&random, 3, 24), extent);
         mt_subject subject = {"scrawls", i, {&drawing}};
         mt_shape shape;
-        mt_require(mt_union(&drawing, &arena, &shape) == MT_OK, &subject);
+        mt_require(mt_union(&drawing, MT_NONZERO, &arena, &shape) == MT_OK, &subject);
         check_raster(&drawing, &shape, extent, &subject);
         mt_arena_reset(&arena);
     }
@@ -66,7 +66,7 @@ static void strokes(void **state) {
         }
         mt_subject subject = {"strokes", i, {&drawing}};
         mt_shape shape;
-        mt_require(mt_union(&drawing, &arena, &shape) == MT_OK, &subject);
+        mt_require(mt_union(&drawing, MT_NONZERO, &arena, &shape) == MT_OK, &subject);
         check_raster(&drawing, &shape, MT_EM / 2, &subject);
         mt_arena_reset(&arena);
     }
@@ -132,12 +132,12 @@ static void boxes(void **state) {
         }
         mt_subject subject = {"boxes", i, {&drawing}};
         mt_shape shape, again;
-        mt_require(mt_union(&drawing, &arena, &shape) == MT_OK, &subject);
+        mt_require(mt_union(&drawing, MT_NONZERO, &arena, &shape) == MT_OK, &subject);
         mt_require(mt_oracle_shape_area2(&shape) == (mt_wide)2 * unit * unit * ink_of(winding), &subject);
         for (int k = 0; k < shape.count; k++)
             mt_require(mt_oracle_is_crossing_free(&shape.components[k]), &subject);
         mt_rings all = mt_test_all_rings(&arena, &shape);
-        mt_require(mt_union(&all, &arena, &again) == MT_OK, &subject);
+        mt_require(mt_union(&all, MT_NONZERO, &arena, &again) == MT_OK, &subject);
         mt_require(mt_oracle_shape_area2(&shape) == mt_oracle_shape_area2(&again), &subject);
         mt_arena_reset(&arena);
     }
@@ -154,7 +154,7 @@ static void components_come_back(void **state) {
         mt_component component = mt_random_component(&random, &arena, 40, i % 2 ? 1000 : MT_EM);
         mt_subject subject = {"components_come_back", i, {&component}};
         mt_shape shape;
-        mt_require(mt_union(&component, &arena, &shape) == MT_OK, &subject);
+        mt_require(mt_union(&component, MT_NONZERO, &arena, &shape) == MT_OK, &subject);
         double off = (double)(mt_oracle_shape_area2(&shape) - mt_oracle_area2(&component)) / 2;
         mt_require(fabs(off) <= mt_oracle_length(&component), &subject);
         exact += off == 0;

@@ -24,7 +24,7 @@ static void winding_lost(void **state) {
     mt_corpus corpus = mt_corpus_read(&arena);
     const mt_rings *drawing = mt_corpus_find(&corpus, "winding_lost_at_shared_edges");
     mt_shape shape;
-    mt_assert_ok(mt_union(drawing, &arena, &shape));
+    mt_assert_ok(mt_union(drawing, MT_NONZERO, &arena, &shape));
     int64_t found = (int64_t)mt_oracle_shape_area2(&shape) / 2, expected = ink_of(drawing);
     mt_arena_release(&arena);
     assert_int_equal(found, expected);

@@ -31,7 +31,8 @@ static mt_shape ink_at(const mt_morph *morph, const mt_moving *moving, double t,
     mt_shape ink;
     bool clean;
     mt_assert_ok(mt_moving_at(morph, moving, mt_weights_at(t), &arena, &outline));
-    mt_assert_ok(mt_outline_resolve(&outline, mt_grid_units(params->tolerance) / 4, &arena, &ink, &clean));
+    mt_assert_ok(
+        mt_outline_resolve(&outline, MT_NONZERO, mt_grid_units(params->tolerance) / 4, &arena, &ink, &clean));
     return ink;
 }
 
@@ -42,7 +43,7 @@ static double difference(const mt_shape *a, const mt_shape *b) {
     mt_shape both;
     for (int i = 0; i < in_a.count; i++) all.rings[i] = in_a.rings[i];
     for (int i = 0; i < in_b.count; i++) all.rings[in_a.count + i] = in_b.rings[i];
-    mt_assert_ok(mt_union(&all, &arena, &both));
+    mt_assert_ok(mt_union(&all, MT_NONZERO, &arena, &both));
     double whole = (double)mt_shape_area2(&both);
     return whole > 0 ? (2 * whole - (double)mt_shape_area2(a) - (double)mt_shape_area2(b)) / whole : 0;
 }

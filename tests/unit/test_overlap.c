@@ -47,7 +47,7 @@ static int64_t union_area2(const mt_shape *shape) {
     mt_ring rings[2] = {shape->components[0].rings[0], shape->components[1].rings[0]};
     const mt_rings drawn = {2, rings};
     mt_shape made;
-    mt_assert_ok(mt_union(&drawn, &arena, &made));
+    mt_assert_ok(mt_union(&drawn, MT_NONZERO, &arena, &made));
     return mt_shape_area2(&made);
 }
 

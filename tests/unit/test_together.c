@@ -38,7 +38,7 @@ static mt_contour contour_of(const mt_ring *ring) {
 
 static mt_side side_of(mt_ring *rings, int count) {
     mt_side side = {0};
-    mt_assert_ok(mt_union(&(mt_rings){count, rings}, &arena, &side.whole));
+    mt_assert_ok(mt_union(&(mt_rings){count, rings}, MT_NONZERO, &arena, &side.whole));
     side.shape = side.whole;
     side.box = mt_shape_box(&side.whole);
     return side;

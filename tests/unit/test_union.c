@@ -22,7 +22,7 @@ static int tear_down(void **state) {
 
 static mt_shape union_of(const mt_rings *rings) {
     mt_shape shape = {0};
-    mt_assert_ok(mt_union(rings, &arena, &shape));
+    mt_assert_ok(mt_union(rings, MT_NONZERO, &arena, &shape));
     return shape;
 }
 
@@ -58,6 +58,22 @@ static void overlaps(void **state) {
     expect("squares_side_by_side", 1, 1, 10000);
     expect("hole_one_unit_wide", 1, 2, 20000 - 160);
     expect("slit_into_the_ink", 1, 1, 20000);
+}
+
+/* A hole that leaves its ink to the right by 20 units of 60, and rings that run the other way. */
+static void contours_by_the_positive_rule(void **state) {
+    (void)state;
+    const int outer[][2] = {{0, 0}, {100, 0}, {100, 100}, {0, 100}},
+              hole[][2] = {{60, 20}, {60, 80}, {120, 80}, {120, 20}};
+    mt_ring both[] = {mt_test_ring_of(&arena, outer, 4, 1), mt_test_ring_of(&arena, hole, 4, 1)};
+    mt_rings rings = {2, both}, backwards = {1, &both[1]};
+    mt_shape shape;
+    mt_assert_ok(mt_union(&rings, MT_POSITIVE, &arena, &shape));
+    assert_int_equal(mt_shape_area2(&shape), 2 * (100 * 100 - 40 * 60));
+    mt_assert_ok(mt_union(&rings, MT_NONZERO, &arena, &shape));
+    assert_int_equal(mt_shape_area2(&shape), 2 * (100 * 100 - 40 * 60 + 20 * 60));
+    mt_assert_ok(mt_union(&backwards, MT_POSITIVE, &arena, &shape));
+    assert_int_equal(shape.count, 0);
 }
 
 static void nothing(void **state) {
@@ -177,6 +193,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(drawings),
         cmocka_unit_test(overlaps),
+        cmocka_unit_test(contours_by_the_positive_rule),
         cmocka_unit_test(nothing),
         cmocka_unit_test(corpus_in_order),
         cmocka_unit_test(same_whatever_the_order),
