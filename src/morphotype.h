@@ -195,6 +195,14 @@ MT_API mt_status mt_variable_set_chars(mt_variable *variable, const uint32_t *co
 MT_API void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set);
 MT_API int mt_variable_unblended(const mt_variable *variable);
 
+/* How far the font gets where users set its axis: at values[i] as far as it is at places[i] without a map, in between on
+ * straight lines. Both are from 0 to 100; the ends, 0 at 0 and 100 at 100, go without saying. Values ascend, of which 0.01 is
+ * always enough (rounded to 2^-14 of the axis they must differ); places do not descend. The fonts have it as 'avar', a
+ * designspace as its axis' map. Both arrays are copied; count 0 means no map, as it is without this call. MT_BAD_PARAMETER,
+ * MT_NO_MEMORY; the map is then what it was. */
+MT_API mt_status mt_variable_set_map(mt_variable *variable, const double *values, const double *places,
+                                     int count);
+
 /* The font as TrueType bytes; give them back with mt_bytes_free. */
 MT_API mt_status mt_variable_font(mt_variable *variable, uint8_t **bytes, size_t *length);
 /* Written to `path` whole or not at all, in the format of its extension: .ttf, .woff2 or .designspace, the last for

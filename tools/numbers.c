@@ -25,6 +25,16 @@ int numbers_read(const char *text, double *values, int most) {
     return -1;
 }
 
+int pairs_read(const char *text, double *firsts, double *seconds, int most) {
+    for (int count = 0; count < most; count++) {
+        if (!read_one(&text, &firsts[count]) || *text++ != ':') return -1;
+        if (!read_one(&text, &seconds[count])) return -1;
+        if (*text == '\0') return count + 1;
+        if (*text++ != ',') return -1;
+    }
+    return -1;
+}
+
 bool number_read(const char *text, double *value) {
     return numbers_read(text, value, 1) == 1;
 }

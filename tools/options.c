@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include "font/axis_map.h"
 #include "font/utf.h"
 #include "geometry/memory.h"
 #include "messages.h"
@@ -35,6 +36,7 @@ static const option_row rows[] = {
     {'F', false, "family", "NAME", "the new font's family name"},
     {'G', false, "glyphs", "both|first",
      "those of both fonts, or all of the first's, unblended where need be"},
+    {'A', false, "avar", "V:P[,V:P...]", "at V on the axis the font stands at P, both from 0 to 100"},
     {'J', false, "json", NULL, "data: on stdout, or into FILE when that ends in .json"},
     {'S', false, "strict", NULL, "a glyph that cannot be blended is an error, not a line on stderr"},
     {'M', false, "method", "joint|paper", "align boundaries where it goes, or map pieces throughout"},
@@ -90,6 +92,34 @@ static int read_at(cli_options *options, const char *argument) {
     bool good = options->at_count > 0;
     for (int i = 0; i < options->at_count; i++) good = good && options->at[i] >= 0 && options->at[i] <= 1;
     return good ? GO_ON : misuse(options->command, "--at %s: numbers from 0 to 1 are wanted", argument);
+}
+
+/* Whether the library takes the map. */
+static int check_map(const cli_options *options, const char *argument) {
+    mt_axis_map map;
+    mt_status status = options->map_count > 0 ? mt_axis_map_make(options->map_values, options->map_places,
+                                                                 options->map_count, &map)
+                                              : MT_BAD_PARAMETER;
+    if (status == MT_NO_MEMORY) return no_memory();
+    if (status != MT_OK)
+        return misuse(options->command,
+                      "--avar %s: VALUE:PLACE pairs from 0:0 to 100:100 are wanted, each VALUE over the last "
+                      "by 0.01 or more, no PLACE under the last",
+                      argument);
+    mt_axis_map_free(&map);
+    return GO_ON;
+}
+
+static int read_map(cli_options *options, const char *argument) {
+    int room = 1;
+    for (const char *p = argument; *p; p++) room += *p == ',';
+    mt_free(options->map_values);
+    mt_free(options->map_places);
+    options->map_values = mt_new((size_t)room, sizeof *options->map_values);
+    options->map_places = mt_new((size_t)room, sizeof *options->map_places);
+    if (!options->map_values || !options->map_places) return no_memory();
+    options->map_count = pairs_read(argument, options->map_values, options->map_places, room);
+    return check_map(options, argument);
 }
 
 /* Adds a line to the text. */
@@ -187,6 +217,7 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'l': return options->no_labels = true, GO_ON;
     case 'F': return read_family(options, argument);
     case 'G': return read_glyphs(options, argument);
+    case 'A': return read_map(options, argument);
     case 'H': return options->hints_file = argument, GO_ON;
     case 'J': return options->json = true, GO_ON;
     case 'S': return options->strict = true, GO_ON;
@@ -253,6 +284,8 @@ int options_read(const cli_command *command, int argc, char **argv, cli_options 
 
 void options_free(cli_options *options) {
     mt_free(options->at);
+    mt_free(options->map_values);
+    mt_free(options->map_places);
     mt_free(options->text);
 }
 

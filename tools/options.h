@@ -11,6 +11,9 @@ typedef struct cli_options {
     const char *output;     /* NULL: not given */
     double *at;             /* T's; from mt_new */
     int at_count;           /* 0: not given */
+    double *map_values;     /* of --avar, and … */
+    double *map_places;     /* … how far the font has got there; from mt_new */
+    int map_count;          /* 0: not given */
     int steps;              /* 0: not given */
     char *text;             /* UTF-8; the --text arguments, a line each; NULL: not given */
     const char *chars_file; /* NULL: not given */

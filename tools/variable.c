@@ -55,8 +55,10 @@ const cli_command variable_command = {
             "as it is in the first. A glyph that cannot be blended is named on stderr; it switches half-way "
             "from the one\n"
             "font's own outline to the other's. OUT.designspace is a document; its masters are UFOs in "
-            "OUT-masters.\n",
-    .takes = "otcFGS",
+            "OUT-masters.\n"
+            "With --avar 25:10,50:40 the axis shows at 25 what it shows at 10 without, at 50 what at 40;\n"
+            "in between it is even, and the ends stay.\n",
+    .takes = "otcFGAS",
     .fonts_min = 2,
     .fonts_max = MT_VARIABLE_FONTS_MAX,
     .run = run,

@@ -263,6 +263,9 @@ static int make_variable(cli_work *work) {
     if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
     if (status == MT_OK) mt_variable_set_glyphs(work->variable, options->glyphs);
     if (status == MT_OK && options->family) status = mt_variable_set_family(work->variable, options->family);
+    if (status == MT_OK)
+        status =
+            mt_variable_set_map(work->variable, options->map_values, options->map_places, options->map_count);
     if (status == MT_OK && work->chosen.count > 0)
         status = mt_variable_set_chars(work->variable, work->chosen.list, work->chosen.count);
     if (status == MT_OK && work->chosen.count == 0) status = summarise(options, work->fonts);

@@ -2,6 +2,8 @@
 #ifndef MT_AXIS_H
 #define MT_AXIS_H
 
+#include <math.h>
+
 #include "font/sfnt.h"
 #include "font/variation.h"
 
@@ -11,9 +13,14 @@
 
 enum { MT_AXIS_END = 100 };
 
-/* What users set for a place. */
+/* What users set for a place, where nothing is mapped (axis_map.h). */
 static inline double mt_axis_value(int place) {
     return (double)MT_AXIS_END * place / MT_PLACE_ONE;
+}
+
+/* The place that is nearest to a value from -MT_AXIS_END to MT_AXIS_END. */
+static inline int mt_axis_place(double value) {
+    return (int)floor(value / MT_AXIS_END * MT_PLACE_ONE + 0.5);
 }
 
 #endif

@@ -17,7 +17,7 @@
 #define FIRST_MASTER "Morph-0.ufo" /* every such folder has it */
 
 struct mt_master {
-    double value; /* on the axis */
+    double value; /* on the axis, in design coordinates */
     char file[32];
     char *family, *style;
 };
@@ -48,8 +48,8 @@ mt_status mt_designspace_check(const char *path) {
 
 /* ---- masters --------------------------------------------------------------------------------------------- */
 
-mt_status mt_designspace_begin(const char *path, mt_designspace *designspace) {
-    mt_designspace made = {.path = mt_copy_text(path)};
+mt_status mt_designspace_begin(const char *path, const mt_axis_map *map, mt_designspace *designspace) {
+    mt_designspace made = {.path = mt_copy_text(path), .map = map};
     char *folder = folder_of(path);
     mt_status status = made.path && folder ? mt_folder_begin(folder, &made.folder) : MT_NO_MEMORY;
     mt_free(folder);
@@ -97,18 +97,34 @@ mt_status mt_designspace_add(mt_designspace *designspace, const mt_font_data *da
 
 /* ---- the document ---------------------------------------------------------------------------------------- */
 
-static void write_location(double value, mt_xml *xml) {
+/* An attribute, so exact that it reads back as the same number. */
+static void write_real(const char *name, double value, mt_xml *xml) {
     char text[32];
+    snprintf(text, sizeof text, "%.17g", value);
+    mt_xml_attribute(xml, name, text);
+}
+
+/* In design coordinates: where the map leads to. */
+static void write_location(double place, mt_xml *xml) {
     mt_xml_open(xml, "location");
     mt_xml_open(xml, "dimension");
     mt_xml_attribute(xml, "name", MT_AXIS_NAME);
-    snprintf(text, sizeof text, "%.17g", value);
-    mt_xml_attribute(xml, "xvalue", text);
+    write_real("xvalue", place, xml);
     mt_xml_close(xml);
     mt_xml_close(xml);
 }
 
-static void write_axis(mt_xml *xml) {
+static void write_map(const mt_axis_map *map, mt_xml *xml) {
+    for (int i = 0; i < map->count; i++) {
+        mt_xml_open(xml, "map");
+        write_real("input", map->points[i].value, xml);
+        write_real("output", map->points[i].place, xml);
+        mt_xml_close(xml);
+    }
+}
+
+/* In user coordinates. */
+static void write_axis(const mt_axis_map *map, mt_xml *xml) {
     mt_xml_open(xml, "axes");
     mt_xml_open(xml, "axis");
     mt_xml_attribute(xml, "tag", MT_AXIS_TAG_TEXT);
@@ -116,6 +132,7 @@ static void write_axis(mt_xml *xml) {
     mt_xml_number(xml, "minimum", 0);
     mt_xml_number(xml, "maximum", MT_AXIS_END);
     mt_xml_number(xml, "default", 0);
+    write_map(map, xml);
     mt_xml_close(xml);
     mt_xml_close(xml);
 }
@@ -139,14 +156,14 @@ static void write_instance(const mt_designspace *designspace, int percent, mt_xm
     mt_xml_attribute(xml, "familyname", designspace->masters[0].family);
     mt_xml_attribute(xml, "stylename", style);
     mt_xml_attribute(xml, "name", style);
-    write_location(percent, xml);
+    write_location(mt_axis_map_place(designspace->map, percent), xml);
     mt_xml_close(xml);
 }
 
 static void write_document(const mt_designspace *designspace, mt_xml *xml) {
     mt_xml_open(xml, "designspace");
     mt_xml_attribute(xml, "format", "4.1");
-    write_axis(xml);
+    write_axis(designspace->map, xml);
     mt_xml_open(xml, "sources");
     for (int i = 0; i < designspace->count; i++) write_source(designspace, &designspace->masters[i], xml);
     mt_xml_close(xml);

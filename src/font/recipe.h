@@ -17,9 +17,9 @@ mt_status mt_recipe_fill(const mt_font *a, const mt_font *b, double t, const cha
 /* recipe_names.c: the names alone. */
 mt_status mt_recipe_names(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
                           mt_font_data *data);
-/* The names of a font that varies along the axis of axis.h from the first of 2 … 64 fonts to the last; all but the style. A
- * source's notices get less room where there are many. */
-mt_status mt_recipe_axis_names(mt_font *const *fonts, int count, const char *family, mt_arena *arena,
-                               mt_font_data *data);
+/* The names of a font that varies along the axis of axis.h from the first of 2 … 64 fonts to the last; all but the style.
+ * `values` are what users set for each. A source's notices get less room where there are many. */
+mt_status mt_recipe_axis_names(mt_font *const *fonts, const double *values, int count, const char *family,
+                               mt_arena *arena, mt_font_data *data);
 
 #endif

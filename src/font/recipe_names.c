@@ -152,15 +152,15 @@ static void describe(mt_namer *namer, const mt_source *a, const mt_source *b, do
 }
 
 /* The place on the axis of each. */
-static void describe_axis(mt_namer *namer, const mt_source *sources, int count, mt_font_data *data) {
+static void describe_axis(mt_namer *namer, const mt_source *sources, const double *values, int count,
+                          mt_font_data *data) {
     const char *id = formed(namer, "Morphotype %s:", MORPHOTYPE_VERSION), *fonts = "";
     for (int i = 0; i < count; i++) {
         const mt_source *s = &sources[i];
         const char *between = i == 0 ? "" : i + 1 < count ? ", " : " and ";
-        double value = (double)MT_AXIS_END * i / (count - 1);
         id = formed(namer, "%s %s %s,", id, s->title, s->version);
         fonts = formed(namer, "%s%s%s%s%s (" MT_AXIS_TAG_TEXT " = %.4g)", fonts, between, s->title,
-                       *s->version ? ", version " : "", s->version, value);
+                       *s->version ? ", version " : "", s->version, values[i]);
     }
     data->unique_id = formed(namer, "%s variable", id);
     data->description = formed(namer, "Varies between %s, by Morphotype %s", fonts, MORPHOTYPE_VERSION);
@@ -194,14 +194,14 @@ mt_status mt_recipe_names(const mt_font *a, const mt_font *b, double t, const ch
     return namer.failed ? MT_NO_MEMORY : MT_OK;
 }
 
-mt_status mt_recipe_axis_names(mt_font *const *fonts, int count, const char *family, mt_arena *arena,
-                               mt_font_data *data) {
+mt_status mt_recipe_axis_names(mt_font *const *fonts, const double *values, int count, const char *family,
+                               mt_arena *arena, mt_font_data *data) {
     mt_namer namer = {.arena = arena};
     mt_source *sources = mt_arena_new(arena, (size_t)count, sizeof *sources);
     if (!sources) return MT_NO_MEMORY;
     for (int i = 0; i < count; i++) sources[i] = read_source(&namer, fonts[i]);
     mt_status status = name_family(&namer, sources, count, family, data);
     if (status != MT_OK) return status;
-    describe_axis(&namer, sources, count, data);
+    describe_axis(&namer, sources, values, count, data);
     return namer.failed ? MT_NO_MEMORY : MT_OK;
 }

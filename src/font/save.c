@@ -42,6 +42,7 @@ typedef struct mt_product {
     size_t length;
     mt_folder folder;
     mt_designspace designspace;
+    const mt_axis_map *map; /* of a designspace */
 } mt_product;
 
 static bool has_overlaps(const mt_font_data *data) {
@@ -82,7 +83,8 @@ static mt_status make_product(const mt_font_data *data, mt_product *product) {
 /* Adds a master to a designspace, which the first begins. */
 static mt_status add_master(const mt_font_data *data, int place, mt_product *product) {
     mt_status status = MT_OK;
-    if (!product->designspace.path) status = mt_designspace_begin(product->path, &product->designspace);
+    if (!product->designspace.path)
+        status = mt_designspace_begin(product->path, product->map, &product->designspace);
     return status == MT_OK ? mt_designspace_add(&product->designspace, data, place) : status;
 }
 
@@ -194,6 +196,7 @@ static mt_status keep_master(const mt_font_data *data, int place, void *user) {
 }
 
 static mt_status make_variable(void *variable, mt_products *products) {
+    products->list[0].map = mt_variable_map(variable);
     if (products->list[0].format == MT_FONT_DESIGNSPACE)
         return mt_variable_masters(variable, keep_master, products);
     return mt_variable_make(variable, keep, products);

@@ -2,6 +2,7 @@
 #ifndef MT_SAVE_H
 #define MT_SAVE_H
 
+#include "axis_map.h"
 #include "write.h"
 
 typedef enum mt_font_format {
@@ -26,6 +27,8 @@ mt_status mt_blend_make(mt_blend *blend, const double *t, int count, mt_font_rea
 
 /* variable_make.c: makes the variable font and hands it to `ready`, with index 0. */
 mt_status mt_variable_make(mt_variable *variable, mt_font_ready ready, void *user);
+/* variable.c: its map, as mt_variable_set_map has it. */
+const mt_axis_map *mt_variable_map(const mt_variable *variable);
 /* The same as masters, fonts that do not vary and whose glyphs have the same points: each with its place on the axis
  * (variation.h) as the index, in this order. */
 mt_status mt_variable_masters(mt_variable *variable, mt_font_ready ready, void *user);

@@ -29,6 +29,7 @@ void mt_variable_free(mt_variable *variable) {
     for (int i = 0; i + 1 < variable->count; i++) mt_blend_free(variable->steps[i]);
     mt_free(variable->steps);
     mt_free(variable->fonts);
+    mt_axis_map_free(&variable->map);
     mt_free(variable);
 }
 
@@ -51,6 +52,19 @@ mt_status mt_variable_set_chars(mt_variable *variable, const uint32_t *code_poin
 
 void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set) {
     mt_blend_set_glyphs(variable->steps[0], set);
+}
+
+mt_status mt_variable_set_map(mt_variable *variable, const double *values, const double *places, int count) {
+    mt_axis_map map = {0};
+    mt_status status = count == 0 ? MT_OK : mt_axis_map_make(values, places, count, &map);
+    if (status != MT_OK) return status;
+    mt_axis_map_free(&variable->map);
+    variable->map = map;
+    return MT_OK;
+}
+
+const mt_axis_map *mt_variable_map(const mt_variable *variable) {
+    return &variable->map;
 }
 
 int mt_variable_unblended(const mt_variable *variable) {

@@ -7,6 +7,7 @@
 #ifndef MT_VARIABLE_JOB_H
 #define MT_VARIABLE_JOB_H
 
+#include "font/axis_map.h"
 #include "font/blend_job.h"
 #include "font/charset_row.h"
 
@@ -14,6 +15,7 @@ struct mt_variable {
     int count; /* of the fonts */
     mt_font **fonts;
     mt_blend **steps; /* the blends of neighbours, all with the same settings: count - 1 of them */
+    mt_axis_map map;
     mt_progress progress;
     void *progress_user;
 };

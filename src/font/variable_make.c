@@ -2,6 +2,8 @@
 #include "font/variable_job.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "font/axis.h"
 #include "font/recipe.h"
@@ -13,7 +15,8 @@ typedef struct mt_making {
     mt_arena arena;
     mt_glyf *glyphs;
     mt_glyph_moves *moves;
-    int step; /* at hand */
+    int step;       /* at hand */
+    double *values; /* what users set for each font */
 } mt_making;
 
 /* ---- the steps ----------------------------------------------------------------------------------------- */
@@ -98,27 +101,49 @@ static mt_status join_glyphs(mt_making *making) {
 
 /* ---- the axis ------------------------------------------------------------------------------------------ */
 
-/* The quarters of the axis, and its stops. */
-static bool is_named(const mt_course *course, int percent_of_all, int all) {
-    bool quarter = percent_of_all * 4 % all == 0, stop = percent_of_all * course->step_count % all == 0;
-    return quarter || stop;
+static mt_status find_values(mt_making *making) {
+    const mt_variable *variable = making->variable;
+    int last = variable->count - 1;
+    making->values = mt_arena_new(&making->arena, (size_t)variable->count, sizeof *making->values);
+    if (!making->values) return MT_NO_MEMORY;
+    for (int i = 0; i <= last; i++)
+        making->values[i] = variable->map.count ? mt_axis_map_value(&variable->map, making->course.stops[i])
+                                                : (double)MT_AXIS_END * i / last;
+    return MT_OK;
 }
 
-static mt_status name_places(mt_making *making, mt_variation *variation) {
-    const mt_course *course = &making->course;
+/* Adds a place, unless one has its name. */
+static mt_status name_place(double value, mt_arena *arena, mt_named_place *named, int *count) {
     enum { NAME_ROOM = 32 };
-    int all = 4 * course->step_count; /* every quarter and every stop is so many parts of the axis */
-    mt_named_place *named = mt_arena_new(&making->arena, (size_t)all + 1, sizeof *named);
+    char *name = mt_arena_new(arena, NAME_ROOM, 1);
+    if (!name) return MT_NO_MEMORY;
+    snprintf(name, NAME_ROOM, MT_AXIS_NAME " %.4g", value);
+    for (int i = 0; i < *count; i++)
+        if (strcmp(named[i].name, name) == 0) return MT_OK;
+    named[(*count)++] = (mt_named_place){value, name};
+    return MT_OK;
+}
+
+static int compare_places(const void *a, const void *b) {
+    double x = ((const mt_named_place *)a)->value, y = ((const mt_named_place *)b)->value;
+    return (x > y) - (x < y);
+}
+
+/* The quarters of the axis, and its stops. */
+static mt_status name_places(mt_making *making, mt_variation *variation) {
+    enum { QUARTERS = 4 };
+    int fonts = making->variable->count, count = 0;
+    mt_status status = MT_OK;
+    mt_named_place *named = mt_arena_new(&making->arena, QUARTERS + 1 + (size_t)fonts, sizeof *named);
     if (!named) return MT_NO_MEMORY;
-    for (int i = 0; i <= all; i++) {
-        if (!is_named(course, i, all)) continue;
-        char *name = mt_arena_new(&making->arena, NAME_ROOM, 1);
-        if (!name) return MT_NO_MEMORY;
-        double value = (double)MT_AXIS_END * i / all;
-        snprintf(name, NAME_ROOM, MT_AXIS_NAME " %.4g", value);
-        named[variation->named_count++] = (mt_named_place){value, name};
-    }
+    for (int i = 0; i <= QUARTERS && status == MT_OK; i++)
+        status = name_place((double)MT_AXIS_END * i / QUARTERS, &making->arena, named, &count);
+    for (int i = 0; i < fonts && status == MT_OK; i++)
+        status = name_place(making->values[i], &making->arena, named, &count);
+    if (status != MT_OK) return status;
+    qsort(named, (size_t)count, sizeof *named, compare_places);
     variation->named = named;
+    variation->named_count = count;
     return MT_OK;
 }
 
@@ -131,7 +156,8 @@ static mt_status describe(mt_making *making, mt_font_data *data) {
     mt_status status =
         mt_recipe_fill(variable->fonts[0], variable->fonts[1], 0, family, &making->arena, data);
     if (status == MT_OK)
-        status = mt_recipe_axis_names(variable->fonts, variable->count, family, &making->arena, data);
+        status = mt_recipe_axis_names(variable->fonts, making->values, variable->count, family,
+                                      &making->arena, data);
     data->style = data->variation->named[0].name;
     return status;
 }
@@ -150,8 +176,12 @@ static mt_status add_layout(mt_making *making, mt_font_data *data) {
 
 static mt_status hand_over(mt_making *making, bool masters, mt_font_ready ready, void *user) {
     const mt_charset *charset = &making->course.charsets.spokes[0];
-    mt_variation variation = {
-        .tag = MT_AXIS_TAG, .name = MT_AXIS_NAME, .least = 0, .most = MT_AXIS_END, .moves = making->moves};
+    mt_variation variation = {.tag = MT_AXIS_TAG,
+                              .name = MT_AXIS_NAME,
+                              .least = 0,
+                              .most = MT_AXIS_END,
+                              .moves = making->moves,
+                              .map = making->variable->map};
     mt_font_data data = {.units = making->course.units,
                          .glyph_count = charset->glyph_count,
                          .glyphs = making->glyphs,
@@ -160,7 +190,8 @@ static mt_status hand_over(mt_making *making, bool masters, mt_font_ready ready,
                          .variant_count = charset->variant_count,
                          .variants = charset->variants,
                          .variation = &variation};
-    mt_status status = name_places(making, &variation);
+    mt_status status = find_values(making);
+    if (status == MT_OK) status = name_places(making, &variation);
     if (status == MT_OK) status = describe(making, &data);
     if (status == MT_OK) status = add_layout(making, &data);
     if (status != MT_OK) return status;

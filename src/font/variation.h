@@ -4,6 +4,8 @@
 
 #include <stdint.h>
 
+#include "font/axis_map.h"
+
 /* A place on the axis as the tables have it (F2Dot14): 0 is where the font stands without a setting, MT_PLACE_ONE the end. */
 enum { MT_PLACE_ONE = 1 << 14 };
 
@@ -36,6 +38,7 @@ typedef struct mt_variation {
     int named_count;
     const mt_named_place *named; /* ascending */
     const mt_glyph_moves *moves; /* one a glyph */
+    mt_axis_map map;
 } mt_variation;
 
 #endif

@@ -20,6 +20,7 @@ static const struct {
     {HB_TAG('g', 'a', 's', 'p'), mt_write_gasp}, {HB_TAG('p', 'r', 'e', 'p'), mt_write_prep},
     {HB_TAG('f', 'v', 'a', 'r'), mt_write_fvar}, {HB_TAG('S', 'T', 'A', 'T'), mt_write_stat},
     {HB_TAG('v', 'm', 't', 'x'), mt_write_vmtx}, {HB_TAG('v', 'h', 'e', 'a'), mt_write_vhea},
+    {HB_TAG('a', 'v', 'a', 'r'), mt_write_avar},
 };
 
 enum { TABLE_COUNT = sizeof writers / sizeof *writers };

@@ -1,6 +1,8 @@
-/* The axis of a variable font: 'fvar', with its named places, and 'STAT', where each has the same name. */
+/* The axis of a variable font: 'fvar', with its named places, 'STAT', where each has the same name, and 'avar', how far the
+ * font has got where. */
 #include "write_tables.h"
 
+#include "axis.h"
 #include "sfnt.h"
 
 enum { AXIS_RECORD = 20, INSTANCE_RECORD = 8 };
@@ -58,4 +60,22 @@ void mt_write_stat(const mt_font_data *data, const mt_summary *summary, mt_table
         mt_table_16(table, MT_NAME_PLACES + i);
         mt_table_fixed(table, variation->named[i].value);
     }
+}
+
+static void write_map_point(mt_map_point point, mt_table *table) {
+    mt_table_16(table, mt_axis_place(point.value)); /* fromCoordinate */
+    mt_table_16(table, mt_axis_place(point.place)); /* toCoordinate */
+}
+
+void mt_write_avar(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
+    const mt_variation *variation = data->variation;
+    (void)summary;
+    if (!variation || variation->map.count == 0) return;
+    mt_table_32(table, 0x00010000);
+    mt_table_16(table, 0); /* reserved */
+    mt_table_16(table, 1); /* axisCount */
+    mt_table_16(table, variation->map.count + 1);
+    /* The axis has nothing under 0, yet each map has this. */
+    write_map_point((mt_map_point){-MT_AXIS_END, -MT_AXIS_END}, table);
+    for (int i = 0; i < variation->map.count; i++) write_map_point(variation->map.points[i], table);
 }

@@ -49,6 +49,7 @@ void mt_write_vmtx(const mt_font_data *data, const mt_summary *summary, mt_table
 /* Nothing where the font does not vary. */
 void mt_write_fvar(const mt_font_data *data, const mt_summary *summary, mt_table *table);
 void mt_write_stat(const mt_font_data *data, const mt_summary *summary, mt_table *table);
+void mt_write_avar(const mt_font_data *data, const mt_summary *summary, mt_table *table); /* or has no map */
 /* MT_NO_MEMORY, MT_TOO_LARGE for what the table has no room for. */
 mt_status mt_write_gvar(const mt_font_data *data, mt_table *table);
 

@@ -53,6 +53,14 @@ class Variable(cli.Test):
         made.save(self.path('instance.ttf'))
         return self.path('instance.ttf')
 
+    def fontmade(self, document):
+        """A variable font of the masters, by fontmake."""
+        made = self.path('made.ttf')
+        subprocess.run(['fontmake', '-m', self.path(document), '-o', 'variable', '--output-path', made],
+                       check=True, cwd=self.directory, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.assert_sane(made)
+        return made
+
     def assert_sane(self, path):
         subprocess.run(['ots-sanitize', path], check=True, stdout=subprocess.DEVNULL)
 
@@ -283,6 +291,119 @@ class Stops(Variable):
         self.assertEqual(sorted(map(chr, ttLib.TTFont(self.path('x.ttf')).getBestCmap())), ['A', 'B', 'C'])
 
 
+class Map(Variable):
+    """--avar: how far the font gets where users set its axis."""
+
+    MAP = ('--avar', '25:10,50:40')
+    SEGMENTS = ((-1, -1), (0, 0), (0.25, 0.1), (0.5, 0.4), (1, 1))
+    LEADS = {0: 0, 25: 10, 37.5: 25, 50: 40, 75: 70, 100: 100}
+    THREE = (*FONTS, cli.MONO)
+
+    def segments(self, font):
+        return tuple(sorted(ttLib.TTFont(font)['avar'].segments['MRPH'].items()))
+
+    def assert_leads(self, segments, wanted):
+        self.assertEqual(len(segments), len(wanted))
+        for got, exact in zip(segments, wanted):
+            for a, b in zip(got, exact):
+                self.assertLessEqual(abs(a - b), 0.5 / 16384)
+
+    def test_table(self):
+        path = self.variable('x.ttf', *FONTS, options=self.MAP)
+        self.assert_sane(path)
+        self.assertEqual(ttLib.TTFont(path).getTableData('avar')[:10].hex(), '00010000' '0000' '0001' '0005')
+        self.assert_leads(self.segments(path), self.SEGMENTS)
+
+    def test_ends_may_be_said(self):
+        plain = self.variable('x.ttf', *FONTS, options=self.MAP).read_bytes()
+        said = self.variable('y.ttf', *FONTS, options=('--avar', '0:0,25:10,50:40,100:100')).read_bytes()
+        self.assertEqual(plain, said)
+        self.assert_leads(self.segments(self.variable('z.ttf', *FONTS, options=('--avar', '0:0'))), ((-1, -1), (0, 0), (1, 1)))
+
+    def test_nothing_else_of_two_fonts_changes(self):
+        ours = ttLib.TTFont(self.variable('x.ttf', *FONTS, options=self.MAP), lazy=False)
+        theirs = ttLib.TTFont(self.variable('y.ttf', *FONTS), lazy=False)
+        self.assertEqual(set(ours.keys()) - set(theirs.keys()), {'avar'})
+        for tag in set(theirs.keys()) - {'GlyphOrder', 'head'}:
+            self.assertEqual(ours.getTableData(tag), theirs.getTableData(tag), tag)
+
+    def assert_glyphs_alike(self, ours, theirs, where):
+        """Both by fontTools: the points and the advances, within a unit."""
+        ours, theirs = ttLib.TTFont(ours), ttLib.TTFont(theirs)
+        for name in theirs.getGlyphOrder():
+            a, b = (font['glyf'][name].getCoordinates(font['glyf'])[0] for font in (ours, theirs))
+            self.assertEqual(len(a), len(b), (where, name))
+            for p, q in zip(a, b):
+                self.assertLessEqual(max(abs(p[0] - q[0]), abs(p[1] - q[1])), 1, (where, name))
+            self.assertLessEqual(abs(ours['hmtx'][name][0] - theirs['hmtx'][name][0]), 1, (where, name))
+
+    def assert_instances(self, fonts):
+        mapped, plain = self.variable('x.ttf', *fonts, options=self.MAP), self.variable('y.ttf', *fonts)
+        units = ttLib.TTFont(plain)['head'].unitsPerEm
+        for value, place in self.LEADS.items():
+            instance = self.path('plain.ttf')
+            self.instance(plain, place / 100).rename(instance)
+            self.assert_glyphs_alike(self.instance(mapped, value / 100), instance, value)
+            for engine in ('freetype', 'harfbuzz'):
+                for character, (_, longer, apart) in sampled('apart', engine, mapped, value, instance, text=TEXT).items():
+                    self.assertLessEqual(apart * units / 1000, 1, (engine, value, character))
+                    self.assertLessEqual(abs(longer), 1, (engine, value, character))
+
+    def test_instances(self):
+        self.assert_instances(FONTS)
+
+    def test_instances_of_three(self):
+        self.assert_instances(self.THREE)
+
+    def test_named_places_of_fonts_in_between_show_them(self):
+        """Also where places between two places of the tables would show contours on their way to a point."""
+        fonts = (*FONTS, cli.MONO, cli.SERIF)
+        font = self.variable('x.ttf', *fonts, options=('--avar', '17:11.3,33.334:33.33,81.7:53.1'))
+        values = [i.coordinates['MRPH'] for i in ttLib.TTFont(font)['fvar'].instances]
+        middle = [v for v in values if v not in (0, 25, 50, 75, 100)]
+        self.assertEqual(len(middle), 2)
+        for value, source in zip(middle, fonts[1:]):
+            for engine in ('freetype', 'harfbuzz'):
+                found = sampled('compare', engine, font, value, source, text=TEXT)
+                self.assertGreaterEqual(min(share for share, _ in found.values()), 0.98, (engine, value))
+
+    def test_fonts_in_between_are_named_where_users_find_them(self):
+        font = ttLib.TTFont(self.variable('x.ttf', *self.THREE, options=self.MAP), lazy=False)
+        name = font['name'].getDebugName
+        places = {round(i.coordinates['MRPH'], 2): name(i.subfamilyNameID) for i in font['fvar'].instances}
+        self.assertEqual(places, {0: 'Morph 0', 25: 'Morph 25', 50: 'Morph 50', 58.33: 'Morph 58.33', 75: 'Morph 75',
+                                  100: 'Morph 100'})
+        self.assertEqual({round(v.Value, 2): name(v.ValueNameID) for v in font['STAT'].table.AxisValueArray.AxisValue}, places)
+        self.assertIn('(MRPH = 58.33)', name(10))
+
+    def test_masters(self):
+        self.variable('x.designspace', *FONTS, options=self.MAP)
+        document = DesignSpaceDocument.fromfile(self.path('x.designspace'))
+        axis, = document.axes
+        self.assertEqual((axis.minimum, axis.default, axis.maximum), (0, 0, 100))
+        self.assertEqual(axis.map, [(0, 0), (25, 10), (50, 40), (100, 100)])
+        self.assertEqual([source.location['Morph'] for source in document.sources], [0, 100])
+        self.assertEqual({i.styleName: i.location['Morph'] for i in document.instances},
+                         {'Morph 0': 0, 'Morph 25': 10, 'Morph 50': 40, 'Morph 75': 70, 'Morph 100': 100})
+
+    def test_fontmake_builds_the_same_map(self):
+        self.variable('x.designspace', *self.THREE, options=self.MAP)
+        made = self.fontmade('x.designspace')
+        self.assert_leads(self.segments(made), self.SEGMENTS)
+        self.assertEqual([i.coordinates['MRPH'] for i in ttLib.TTFont(made)['fvar'].instances], [0, 25, 50, 75, 100])
+        ours = self.variable('x.ttf', *self.THREE, options=self.MAP)
+        compared = sampled('compare', 'freetype', made, 25, self.instance(ours, 0.25), text=TEXT)
+        self.assertGreaterEqual(min(share for share, *_ in compared.values()), 0.99)
+
+    def test_what_is_no_map_is_refused(self):
+        for text in ('', '25', '25:', ':10', '25:10,', ',25:10', '25:10:5', '25;10', '25:10 ', 'nan:10', '25:inf', '0x10:10', '-1:0',
+                     '25:-1', '101:100', '25:101', '0:5', '100:95', '25:30,50:20', '50:20,25:30', '25:10,25:20',
+                     '50:10,50.001:20', '99.999:50', '0:0,0:0'):
+            with self.subTest(text=text):
+                self.refused(2, 'variable', *FONTS, '--text', 'A', '-o', 'x.ttf', f'--avar={text}', says=('--avar', '--help)'))
+        self.refused(2, 'blend', *FONTS, '--avar', '25:10', '-o', 'x.ttf', says=('--avar',))
+
+
 class Masters(Variable):
     """A designspace of masters with the same points."""
 
@@ -303,10 +424,7 @@ class Masters(Variable):
     def test_fontmake_builds_them(self):
         for fonts in (FONTS, Stops.FONTS):
             self.masters(*fonts, text=TEXT)
-            made = self.path('made.ttf')
-            subprocess.run(['fontmake', '-m', self.path('x.designspace'), '-o', 'variable', '--output-path', made],
-                           check=True, cwd=self.directory, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            self.assert_sane(made)
+            made = self.fontmade('x.designspace')
             blend = self.blends(fonts[:2], TEXT, ('0.5', '1'))['0.5']
             value = 50 if len(fonts) == 2 else 25
             compared = sampled('compare', 'freetype', made, value, blend, text=TEXT)

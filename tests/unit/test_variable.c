@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "font/axis.h"
 #include "font/folder.h"
 #include "font/save.h"
 #include "support/allocation.h"
@@ -86,6 +87,31 @@ static void numbers_of_fonts_are_checked(void **state) {
     assert_int_equal(mt_variable_new(fonts, 2, &params, &variable), MT_BAD_PARAMETER);
 }
 
+/* A map that is refused leaves the one before. */
+static void maps_are_checked(void **state) {
+    (void)state;
+    static const double values[] = {25, 50}, places[] = {10, 40}, falling[] = {40, 10};
+    font_row row = open_test_row();
+    uint8_t *bytes;
+    size_t length, table_length;
+    mt_assert_ok(mt_variable_set_map(row.variable, values, places, 2));
+    assert_int_equal(mt_variable_set_map(row.variable, values, falling, 2), MT_BAD_PARAMETER);
+    assert_int_equal(mt_variable_set_map(row.variable, values, places, -1), MT_BAD_PARAMETER);
+    mt_assert_ok(mt_variable_font(row.variable, &bytes, &length));
+    const uint8_t *avar = mt_sample_table(bytes, "avar", &table_length);
+    assert_non_null(avar);
+    assert_int_equal(table_length, 10 + 4 * 5);
+    assert_int_equal(mt_read_u16(avar + 8), 5);
+    assert_int_equal(mt_read_u16(avar + 22), MT_PLACE_ONE / 2); /* 50 … */
+    assert_int_equal(mt_read_u16(avar + 24), 6554);             /* … to 40 */
+    mt_bytes_free(bytes);
+    mt_assert_ok(mt_variable_set_map(row.variable, NULL, NULL, 0));
+    mt_assert_ok(mt_variable_font(row.variable, &bytes, &length));
+    assert_null(mt_sample_table(bytes, "avar", &table_length));
+    mt_bytes_free(bytes);
+    close_row(&row);
+}
+
 static void remember(int done, int all, void *user) {
     int *last = user;
     assert_true(done >= last[0] && done <= all);
@@ -144,6 +170,7 @@ static void a_document_that_cannot_stand_leaves_nothing(void **state) {
 static void survives_want_of_memory(void **state) {
     (void)state;
     static const char *const names[] = {"x.ttf", "x.designspace"};
+    static const double map[] = {30, 60};
     font_row row = open_test_row();
     close_row(&row);
     for (size_t i = 0; i < 2; i++) {
@@ -152,6 +179,8 @@ static void survives_want_of_memory(void **state) {
         for (long first = 0; status == MT_NO_MEMORY; first += 41) {
             mt_allocation_watch();
             mt_assert_ok(open_row(&row));
+            mt_assert_ok(mt_variable_set_map(row.variable, map, map, 2));
+            mt_assert_ok(mt_variable_set_map(row.variable, map, map, 1));
             mt_allocation_fail(first, false);
             status = mt_variable_save(row.variable, path);
             mt_allocation_succeed();
@@ -170,6 +199,7 @@ static void survives_want_of_memory(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_of_fonts_are_checked),
+        cmocka_unit_test(maps_are_checked),
         cmocka_unit_test(progress_goes_through_all_steps),
         cmocka_unit_test(format_is_by_extension),
         cmocka_unit_test(a_document_that_cannot_stand_leaves_nothing),
