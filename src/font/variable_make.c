@@ -108,7 +108,7 @@ static mt_status find_values(mt_making *making) {
     if (!making->values) return MT_NO_MEMORY;
     for (int i = 0; i <= last; i++)
         making->values[i] = variable->map.count ? mt_axis_map_value(&variable->map, making->course.stops[i])
-                                                : (double)MT_AXIS_END * i / last;
+                                                : mt_axis_value(making->course.stops[i]);
     return MT_OK;
 }
 

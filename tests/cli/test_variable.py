@@ -283,6 +283,9 @@ class Stops(Variable):
         font = ttLib.TTFont(self.variable('x.ttf', *self.FONTS, cli.MONO_BOLD, text='Aa'))
         values = [i.coordinates['MRPH'] for i in font['fvar'].instances]
         self.assertEqual([round(v, 2) for v in values], [0, 25, 33.33, 50, 66.67, 75, 100])
+        for value in values:
+            place = value / 100 * 16384
+            self.assertAlmostEqual(place, round(place), 2, 'not where the font stands')
 
     def test_only_what_all_fonts_have(self):
         second = cli.cut_font(self.path('second.ttf'), 'ABC')
