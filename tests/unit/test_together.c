@@ -1,11 +1,8 @@
-#include "geometry/limits.h"
-#include "geometry/union.h"
 #include "morph/together.h"
+#include "geometry/limits.h"
 #include "support/check.h"
+#include "support/moves.h"
 #include "support/polygons.h"
-
-#include <limits.h>
-#include <math.h>
 
 enum { UNIT = MT_EM / 1000 };
 
@@ -18,62 +15,21 @@ static int tear_down(void **state) {
 }
 
 /* Strokes 100/1000 em wide. */
-static mt_ring corner_at(int x, int y) {
-    const int points[][2] = {
-        {x, y}, {x + 300, y}, {x + 300, y + 100}, {x + 100, y + 100}, {x + 100, y + 300}, {x, y + 300}};
+static mt_ring corner(void) {
+    const int points[][2] = {{0, 0}, {300, 0}, {300, 100}, {100, 100}, {100, 300}, {0, 300}};
     return mt_test_ring_of(&arena, points, 6, UNIT);
 }
 
-static mt_ring square_at(int x, int y) {
+static mt_ring square_at(const int at[2]) {
+    int x = at[0], y = at[1];
     const int points[][2] = {{x, y}, {x + 100, y}, {x + 100, y + 100}, {x, y + 100}};
     return mt_test_ring_of(&arena, points, 4, UNIT);
 }
 
-static mt_contour contour_of(const mt_ring *ring) {
-    mt_contour contour = {ring->count, mt_arena_new(&arena, (size_t)ring->count, sizeof(mt_segment))};
-    for (int i = 0; i < ring->count; i++)
-        contour.segments[i] = (mt_segment){.degree = 1, .end = ring->points[i]};
-    return contour;
-}
-
-static mt_side side_of(mt_ring *rings, int count) {
-    mt_side side = {0};
-    mt_assert_ok(mt_union(&(mt_rings){count, rings}, MT_NONZERO, &arena, &side.whole));
-    side.shape = side.whole;
-    side.box = mt_shape_box(&side.whole);
-    return side;
-}
-
 /* A square that goes, on a straight way, from one arm of a corner to its other arm. */
 static mt_morph morph_of(const int from[2], const int to[2]) {
-    mt_ring in_a[] = {corner_at(0, 0), square_at(from[0], from[1])},
-            in_b[] = {corner_at(0, 0), square_at(to[0], to[1])};
-    mt_morph morph = {.contour_count = 2, .contours = mt_arena_new(&arena, 2, sizeof(mt_masters))};
-    for (int i = 0; i < 2; i++)
-        morph.contours[i] = (mt_masters){.a = contour_of(&in_a[i]), .b = contour_of(&in_b[i])};
-    morph.a = side_of(in_a, 2);
-    morph.b = side_of(in_b, 2);
-    return morph;
-}
-
-static mt_straying strays(const mt_morph *morph) {
-    mt_params params = mt_params_default();
-    mt_straying by;
-    mt_assert_ok(mt_morph_strays(morph, INT_MAX, &params, &arena, &by));
-    return by;
-}
-
-static mt_straying draw_together(mt_morph *morph) {
-    mt_params params = mt_params_default();
-    mt_straying by = strays(morph);
-    mt_assert_ok(mt_draw_together(morph, &params, &arena, &by));
-    assert_int_equal(by.parts, strays(morph).parts);
-    return by;
-}
-
-static double aside(const mt_morph *morph, int contour) {
-    mt_point by = morph->contours[contour].aside;
-    return hypot(by.x, by.y) / UNIT;
+    mt_ring in_a[] = {corner(), square_at(from)}, in_b[] = {corner(), square_at(to)};
+    return mt_test_morph_of(&arena, in_a, in_b, 2);
 }
 
 /* Half-way 10/1000 em are between it and either arm. */
@@ -82,22 +38,17 @@ static const int up[] = {80, 140}, right[] = {140, 80};
 static void the_smaller_part_comes_nearer(void **state) {
     (void)state;
     mt_morph morph = morph_of(up, right);
-    assert_true(strays(&morph).parts > 0);
-    assert_int_equal(draw_together(&morph).parts, 0);
-    assert_true(aside(&morph, 0) == 0);
-    assert_true(aside(&morph, 1) >= 10 && aside(&morph, 1) <= 30);
+    assert_true(mt_test_strays(&arena, &morph).parts > 0);
+    assert_int_equal(mt_test_mend(&arena, mt_draw_together, &morph).parts, 0);
+    assert_true(mt_test_aside(&morph, 0) == 0);
+    assert_true(mt_test_aside(&morph, 1) >= 10 && mt_test_aside(&morph, 1) <= 30);
 }
 
 static void the_ends_stay(void **state) {
     (void)state;
-    mt_params params = mt_params_default();
     mt_morph morph = morph_of(up, right);
-    draw_together(&morph);
-    for (int t = 0; t < 2; t++) {
-        mt_shape blend;
-        mt_assert_ok(mt_morph_blend(&morph, mt_weights_at(t), &params, &arena, &blend));
-        assert_int_equal(mt_shape_area2(&blend), mt_shape_area2(t ? &morph.b.whole : &morph.a.whole));
-    }
+    mt_test_mend(&arena, mt_draw_together, &morph);
+    mt_test_ends_stay(&arena, &morph);
 }
 
 /* 70/1000 em half-way: whoever came so far would be seen to do so. */
@@ -105,19 +56,18 @@ static void a_wide_rift_stays(void **state) {
     (void)state;
     const int high[] = {80, 260}, far[] = {260, 80};
     mt_morph morph = morph_of(high, far);
-    int before = strays(&morph).parts;
+    int before = mt_test_strays(&arena, &morph).parts;
     assert_true(before > 0);
-    assert_int_equal(draw_together(&morph).parts, before);
-    assert_true(aside(&morph, 0) == 0 && aside(&morph, 1) == 0);
+    assert_int_equal(mt_test_mend(&arena, mt_draw_together, &morph).parts, before);
+    assert_true(mt_test_aside(&morph, 0) == 0 && mt_test_aside(&morph, 1) == 0);
 }
 
-/* Where each end has the two apart, or one of them has, there is nothing to close. */
 static void what_an_end_has_apart_stays(void **state) {
     (void)state;
     const int apart[] = {140, 140};
     mt_morph morph = morph_of(apart, right);
-    assert_int_equal(draw_together(&morph).parts, 0);
-    assert_true(aside(&morph, 0) == 0 && aside(&morph, 1) == 0);
+    assert_int_equal(mt_test_mend(&arena, mt_draw_together, &morph).parts, 0);
+    assert_true(mt_test_aside(&morph, 0) == 0 && mt_test_aside(&morph, 1) == 0);
 }
 
 int main(void) {

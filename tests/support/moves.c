@@ -1,0 +1,67 @@
+#include "support/moves.h"
+
+#include <limits.h>
+#include <math.h>
+
+#include "geometry/limits.h"
+#include "geometry/union.h"
+#include "support/check.h"
+
+static mt_contour contour_of(mt_arena *arena, const mt_ring *ring) {
+    mt_contour contour = {ring->count, mt_arena_new(arena, (size_t)ring->count, sizeof(mt_segment))};
+    assert_non_null(contour.segments);
+    for (int i = 0; i < ring->count; i++)
+        contour.segments[i] = (mt_segment){.degree = 1, .end = ring->points[i]};
+    return contour;
+}
+
+static mt_side side_of(mt_arena *arena, mt_ring *rings, int count) {
+    mt_side side = {0};
+    mt_assert_ok(mt_union(&(mt_rings){count, rings}, MT_NONZERO, arena, &side.whole));
+    side.shape = side.whole;
+    side.box = mt_shape_box(&side.whole);
+    return side;
+}
+
+mt_morph mt_test_morph_of(mt_arena *arena, mt_ring *in_a, mt_ring *in_b, int count) {
+    mt_morph morph = {.a = side_of(arena, in_a, count),
+                      .b = side_of(arena, in_b, count),
+                      .contour_count = count,
+                      .contours = mt_arena_new(arena, (size_t)count, sizeof(mt_masters))};
+    assert_non_null(morph.contours);
+    for (int i = 0; i < count; i++)
+        morph.contours[i] = (mt_masters){.a = contour_of(arena, &in_a[i]), .b = contour_of(arena, &in_b[i])};
+    return morph;
+}
+
+mt_straying mt_test_strays(mt_arena *arena, const mt_morph *morph) {
+    mt_params params = mt_params_default();
+    mt_straying by;
+    mt_assert_ok(mt_morph_strays(morph, INT_MAX, &params, arena, &by));
+    return by;
+}
+
+mt_straying mt_test_mend(mt_arena *arena, mt_mend mend, mt_morph *morph) {
+    mt_params params = mt_params_default();
+    mt_straying by = mt_test_strays(arena, morph);
+    mt_assert_ok(mend(morph, &params, arena, &by));
+    assert_int_equal(by.parts, mt_test_strays(arena, morph).parts);
+    return by;
+}
+
+double mt_test_aside(const mt_morph *morph, int contour) {
+    mt_point by = morph->contours[contour].aside;
+    return hypot(by.x, by.y) * 1000 / MT_EM;
+}
+
+void mt_test_ends_stay(mt_arena *arena, const mt_morph *morph) {
+    mt_params params = mt_params_default();
+    for (int t = 0; t < 2; t++) {
+        const mt_side *side = t ? &morph->b : &morph->a;
+        mt_shape blend;
+        mt_assert_ok(mt_morph_blend(morph, mt_weights_at(t), &params, arena, &blend));
+        assert_int_equal(mt_shape_area2(&blend), mt_shape_area2(&side->whole));
+        mt_box box = mt_shape_box(&blend);
+        assert_memory_equal(&box, &side->box, sizeof box);
+    }
+}
