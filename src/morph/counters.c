@@ -76,21 +76,23 @@ static mt_status keep_clear(const mt_glyph *glyph, int hole, double t, int holes
     return MT_OK;
 }
 
-/* Closes what has broken open at a place. */
-static mt_status keep_at(const mt_glyph *glyph, double t, mt_arena *arena, mt_straying *by) {
+/* Keeps the holes that are open at a place. *closed: none are missing there, or fewer now. */
+static mt_status keep_at(const mt_glyph *glyph, double t, mt_arena *arena, mt_straying *by, bool *closed) {
     mt_shape shape;
-    int holes;
+    int holes, before = by->parts;
     mt_status status = holes_at(glyph, t, arena, &shape, &holes);
     for (int i = 0; status == MT_OK && holes < glyph->least && i < glyph->morph->contour_count; i++) {
         bool open;
         status = is_open(glyph, i, t, &shape, arena, &open);
         if (status == MT_OK && open) status = keep_clear(glyph, i, t, holes, arena, by);
     }
+    *closed = status == MT_OK && (holes >= glyph->least || by->parts < before);
     return status;
 }
 
 /* ---- all of it ----------------------------------------------------------------------------------------------- */
 
+/* From half-way, where contours stand aside the most, outwards; as long as that goes. */
 mt_status mt_keep_counters(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_straying *by) {
     int in_a = mt_census_of(&morph->a.whole).holes, in_b = mt_census_of(&morph->b.whole).holes;
     mt_glyph glyph = {morph, params, in_a < in_b ? in_a : in_b,
@@ -98,7 +100,8 @@ mt_status mt_keep_counters(mt_morph *morph, const mt_params *params, mt_arena *a
     if (!glyph.numbers) return MT_NO_MEMORY;
     for (int i = 0; i < morph->contour_count; i++) glyph.numbers[i] = i;
     mt_status status = MT_OK;
-    for (int i = 0; status == MT_OK && by->parts > 0 && i < MT_CENSUS_STEPS; i++)
-        status = keep_at(&glyph, mt_census_place(morph, i), arena, by);
+    bool closed = true;
+    for (int i = 0; status == MT_OK && closed && by->parts > 0 && i < MT_CENSUS_STEPS; i++)
+        status = keep_at(&glyph, mt_census_place(morph, i), arena, by, &closed);
     return status;
 }
