@@ -73,13 +73,35 @@ static mt_straying straying(const mt_census *at, const mt_census *a, const mt_ce
                          .ink = mt_area_excess(at->area, a->area, b->area)};
 }
 
-/* What is drawn at one place, flattened within the params' tolerance. */
-static mt_status count_at(const mt_morph *morph, double t, const mt_params *params, mt_arena *arena,
-                          mt_census *at) {
-    mt_shape shape;
+static mt_straying worse(mt_straying p, mt_straying q) {
+    return q.parts > p.parts ? q : p;
+}
+
+static int64_t signed_area2(const mt_rings *rings) {
+    int64_t area2 = 0;
+    for (int i = 0; i < rings->count; i++) area2 += mt_ring_area2(&rings->rings[i]);
+    return area2;
+}
+
+/* At one place, flattened within the params' tolerance: as it is drawn and, where rings lie over one another, as it is meant. */
+static mt_status stray_at(const mt_morph *morph, double t, const mt_params *params, mt_arena *arena,
+                          mt_straying *by) {
+    const mt_census a = mt_census_of(&morph->a.whole), b = mt_census_of(&morph->b.whole);
     mt_arena_place before = mt_arena_mark(arena);
-    mt_status status = mt_census_shape(morph, t, params, arena, &shape);
-    if (status == MT_OK) *at = mt_census_of(&shape);
+    mt_rings rings;
+    mt_shape drawn, meant;
+    mt_census at;
+    mt_status status = mt_morph_rings(morph, mt_weights_at(t), params, arena, &rings);
+    if (status == MT_OK) status = mt_union(&rings, MT_NONZERO, arena, &drawn);
+    if (status == MT_OK) {
+        at = mt_census_of(&drawn);
+        *by = straying(&at, &a, &b);
+    }
+    if (status == MT_OK && signed_area2(&rings) != mt_shape_area2(&drawn)) {
+        status = mt_union(&rings, MT_POSITIVE, arena, &meant);
+        if (status == MT_OK) at = mt_census_of(&meant);
+        if (status == MT_OK) *by = worse(*by, straying(&at, &a, &b));
+    }
     mt_arena_rewind(arena, before);
     return status;
 }
@@ -87,18 +109,15 @@ static mt_status count_at(const mt_morph *morph, double t, const mt_params *para
 /* Chords may touch where the curves do not: what strays is looked at again, more finely. */
 mt_status mt_morph_strays(const mt_morph *morph, int enough, const mt_params *params, mt_arena *arena,
                           mt_straying *by) {
-    const mt_census a = mt_census_of(&morph->a.whole), b = mt_census_of(&morph->b.whole);
     mt_params fine = *params;
     mt_straying all = {0};
     fine.tolerance /= MT_OVERLAP_CARE;
     for (int i = 0; all.parts < enough && i < MT_CENSUS_STEPS; i++) {
+        mt_straying here;
         double t = mt_census_place(morph, i);
-        mt_census at;
-        mt_status status = count_at(morph, t, params, arena, &at);
-        if (status == MT_OK && straying(&at, &a, &b).parts > 0)
-            status = count_at(morph, t, &fine, arena, &at);
+        mt_status status = stray_at(morph, t, params, arena, &here);
+        if (status == MT_OK && here.parts > 0) status = stray_at(morph, t, &fine, arena, &here);
         if (status != MT_OK) return status;
-        mt_straying here = straying(&at, &a, &b);
         all.parts += here.parts;
         all.merged += here.merged;
         all.opened += here.opened;

@@ -36,7 +36,8 @@ typedef struct mt_straying {
     double ink; /* how far the ink is, at most, relative to the larger end */
 } mt_straying;
 
-/* Counts on until the parts are `enough`. As mt_morph_blend. */
+/* Counts the blend as it is drawn and, where contours lie over one another, as it is meant (mt_census_shape), and takes the worse;
+ * on until the parts are `enough`. As mt_morph_blend. */
 mt_status mt_morph_strays(const mt_morph *morph, int enough, const mt_params *params, mt_arena *arena,
                           mt_straying *by);
 

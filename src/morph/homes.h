@@ -15,7 +15,7 @@ mt_status mt_homes_of(const mt_morph *morph, mt_arena *arena, mt_homes *homes);
 /* Whether two contours are of one component at either end. */
 bool mt_share_home(const mt_homes *homes, int contour, int other);
 
-/* The ways to stand aside half-way that are tried, grid units: the least first, 2 … 32/1000 em. More would be seen. */
+/* The ways to stand aside half-way that are tried, grid units: the least first, 2 … 48/1000 em. More would be seen. */
 enum { MT_ASIDE_WAYS = 48 };
 mt_point mt_aside_way(int number);
 

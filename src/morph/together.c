@@ -8,10 +8,10 @@
 #include "morph/place.h"
 
 /* How far contours may be drawn half-way, 1/1000 em. More would be seen. */
-#define FARTHEST 48.0
+#define FARTHEST 32.0
 
 /* By how much more than the gap, 1/1000 em. The more, the firmer the join; the less, the less else is touched. */
-static const double laps[] = {3, 1};
+static const double laps[] = {1, 4, 12};
 enum { LAPS = sizeof laps / sizeof *laps };
 
 /* A glyph that strays, and its params. */
@@ -44,7 +44,7 @@ static mt_status look(const mt_glyph *glyph, double t, mt_arena *arena, mt_scene
     *scene = (mt_scene){
         .glyph = glyph, .t = t, .part_of = mt_arena_new(arena, (size_t)m->contour_count, sizeof(int))};
     if (!scene->part_of) return MT_NO_MEMORY;
-    mt_status status = mt_census_shape(m, t, glyph->params, arena, &scene->shape);
+    mt_status status = mt_morph_blend(m, mt_weights_at(t), glyph->params, arena, &scene->shape);
     for (int i = 0; status == MT_OK && i < m->contour_count; i++) {
         mt_contour contour;
         status = mt_masters_mix(&m->contours[i], mt_weights_at(t), arena, &contour);
@@ -96,7 +96,7 @@ static mt_point closing(const mt_scene *s, const mt_rift *rift, double lap) {
 static mt_status is_closed(const mt_scene *s, mt_arena *arena, bool *closed) {
     mt_shape shape;
     mt_arena_place before = mt_arena_mark(arena);
-    mt_status status = mt_census_shape(s->glyph->morph, s->t, s->glyph->params, arena, &shape);
+    mt_status status = mt_morph_blend(s->glyph->morph, mt_weights_at(s->t), s->glyph->params, arena, &shape);
     *closed = status == MT_OK && mt_census_of(&shape).components < mt_census_of(&s->shape).components;
     mt_arena_rewind(arena, before);
     return status;
