@@ -64,6 +64,7 @@ double mt_axis_map_place(const mt_axis_map *map, double value) {
 double mt_axis_map_value(const mt_axis_map *map, int place) {
     const mt_map_point *p = map->points;
     int i = 0;
+    if (map->count == 0) return mt_axis_value(place);
     while (i + 1 < map->count && mt_axis_place(p[i].place) < place) i++;
     int from = mt_axis_place(p[i].value), to = mt_axis_place(p[i].place);
     if (to <= place) return fmin(p[i].value, mt_axis_value(from));

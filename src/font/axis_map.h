@@ -23,7 +23,7 @@ void mt_axis_map_free(mt_axis_map *map);
 
 /* Of a value from 0 to MT_AXIS_END. */
 double mt_axis_map_place(const mt_axis_map *map, double value);
-/* What to set for a place of the tables, of a map that has points. It leads to that place or, where only values between two
+/* What to set for a place of the tables. It leads to that place or, where only values between two
  * places of the axis would, to just under it, also for who does not round (FreeType up to 2.12): past the place of a font in
  * between, contours collapse. */
 double mt_axis_map_value(const mt_axis_map *map, int place);

@@ -103,12 +103,10 @@ static mt_status join_glyphs(mt_making *making) {
 
 static mt_status find_values(mt_making *making) {
     const mt_variable *variable = making->variable;
-    int last = variable->count - 1;
     making->values = mt_arena_new(&making->arena, (size_t)variable->count, sizeof *making->values);
     if (!making->values) return MT_NO_MEMORY;
-    for (int i = 0; i <= last; i++)
-        making->values[i] = variable->map.count ? mt_axis_map_value(&variable->map, making->course.stops[i])
-                                                : mt_axis_value(making->course.stops[i]);
+    for (int i = 0; i < variable->count; i++)
+        making->values[i] = mt_axis_map_value(&variable->map, making->course.stops[i]);
     return MT_OK;
 }
 
