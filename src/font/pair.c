@@ -20,10 +20,8 @@ mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_are
     bool clean, as_coarse;
     double grid = mt_grid_units(tolerance);
     mt_status status = mt_font_outline(font, glyph, arena, &outline, advance);
-    if (status == MT_OK)
-        status = mt_outline_resolve(&outline, MT_NONZERO, grid / MT_OVERLAP_CARE, arena, shape, &clean);
-    if (status == MT_OK && clean)
-        status = mt_outline_resolve(&outline, MT_NONZERO, grid, arena, shape, &as_coarse);
+    if (status == MT_OK) status = mt_outline_resolve(&outline, grid / MT_OVERLAP_CARE, arena, shape, &clean);
+    if (status == MT_OK && clean) status = mt_outline_resolve(&outline, grid, arena, shape, &as_coarse);
     if (status == MT_OK) crossings_are_corners(shape);
     return status;
 }

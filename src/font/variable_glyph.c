@@ -71,7 +71,7 @@ static mt_status find_overlap(mt_worker *worker, const mt_morph *morph, const mt
         mt_weights weights = mt_weights_at((double)i / LOOKS);
         mt_status status = mt_moving_at(morph, moving, weights, &worker->scratch, &outline);
         if (status == MT_OK)
-            status = mt_outline_resolve(&outline, MT_NONZERO, tolerance, &worker->scratch, &shape, &clean);
+            status = mt_outline_resolve(&outline, tolerance, &worker->scratch, &shape, &clean);
         mt_arena_rewind(&worker->scratch, before);
         if (status != MT_OK) return status;
     }

@@ -1,14 +1,13 @@
 #include "union.h"
 
-mt_status mt_outline_resolve(const mt_outline *outline, mt_rule rule, double tolerance, mt_arena *arena,
-                             mt_shape *shape, bool *clean) {
+mt_status mt_outline_resolve(const mt_outline *outline, double tolerance, mt_arena *arena, mt_shape *shape,
+                             bool *clean) {
     mt_rings drawn, resolved;
     mt_status status = mt_flatten(outline, tolerance, arena, &drawn);
-    if (status == MT_OK) status = mt_union(&drawn, rule, arena, shape);
+    if (status == MT_OK) status = mt_union(&drawn, MT_NONZERO, arena, shape);
     if (status == MT_OK) status = mt_shape_rings(shape, arena, &resolved);
     if (status != MT_OK) return status;
-    int64_t area2 = 0;
-    for (int i = 0; i < drawn.count; i++) area2 += mt_ring_area2(&drawn.rings[i]);
+    int64_t area2 = mt_component_area2(&drawn);
     *clean = resolved.count == drawn.count && (area2 < 0 ? -area2 : area2) == mt_shape_area2(shape);
     return MT_OK;
 }

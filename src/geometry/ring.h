@@ -51,7 +51,7 @@ mt_status mt_ring_new(mt_arena *arena, int count, mt_ring *ring);
 
 /* Twice the signed area, grid units squared: > 0 for an anticlockwise ring. Exact. */
 int64_t mt_ring_area2(const mt_ring *ring);
-int64_t mt_component_area2(const mt_component *component); /* the holes taken off */
+int64_t mt_component_area2(const mt_component *component); /* the holes taken off; of any rings, their sum */
 int64_t mt_shape_area2(const mt_shape *shape);
 
 /* All rings of a shape in one list; the points are shared, not copied. MT_NO_MEMORY. */

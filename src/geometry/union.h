@@ -14,9 +14,9 @@ typedef enum mt_rule { MT_NONZERO, MT_POSITIVE } mt_rule;
  * do the holes of each. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_union(const mt_rings *rings, mt_rule rule, mt_arena *arena, mt_shape *shape);
 
-/* The union of an outline flattened within `tolerance` grid units, and whether the outline was its own
+/* The nonzero union of an outline flattened within `tolerance` grid units, and whether the outline was its own
  * union already, but for running the other way round as a whole: whether no area was covered twice. As mt_flatten and mt_union. */
-mt_status mt_outline_resolve(const mt_outline *outline, mt_rule rule, double tolerance, mt_arena *arena,
-                             mt_shape *shape, bool *clean);
+mt_status mt_outline_resolve(const mt_outline *outline, double tolerance, mt_arena *arena, mt_shape *shape,
+                             bool *clean);
 
 #endif

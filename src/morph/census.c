@@ -77,16 +77,9 @@ static mt_straying worse(mt_straying p, mt_straying q) {
     return q.parts > p.parts ? q : p;
 }
 
-static int64_t signed_area2(const mt_rings *rings) {
-    int64_t area2 = 0;
-    for (int i = 0; i < rings->count; i++) area2 += mt_ring_area2(&rings->rings[i]);
-    return area2;
-}
-
 /* At one place, flattened within the params' tolerance: as it is drawn and, where rings lie over one another, as it is meant. */
-static mt_status stray_at(const mt_morph *morph, double t, const mt_params *params, mt_arena *arena,
-                          mt_straying *by) {
-    const mt_census a = mt_census_of(&morph->a.whole), b = mt_census_of(&morph->b.whole);
+static mt_status stray_at(const mt_morph *morph, const mt_census ends[2], double t, const mt_params *params,
+                          mt_arena *arena, mt_straying *by) {
     mt_arena_place before = mt_arena_mark(arena);
     mt_rings rings;
     mt_shape drawn, meant;
@@ -95,12 +88,12 @@ static mt_status stray_at(const mt_morph *morph, double t, const mt_params *para
     if (status == MT_OK) status = mt_union(&rings, MT_NONZERO, arena, &drawn);
     if (status == MT_OK) {
         at = mt_census_of(&drawn);
-        *by = straying(&at, &a, &b);
+        *by = straying(&at, &ends[0], &ends[1]);
     }
-    if (status == MT_OK && signed_area2(&rings) != mt_shape_area2(&drawn)) {
+    if (status == MT_OK && mt_component_area2(&rings) != mt_shape_area2(&drawn)) {
         status = mt_union(&rings, MT_POSITIVE, arena, &meant);
         if (status == MT_OK) at = mt_census_of(&meant);
-        if (status == MT_OK) *by = worse(*by, straying(&at, &a, &b));
+        if (status == MT_OK) *by = worse(*by, straying(&at, &ends[0], &ends[1]));
     }
     mt_arena_rewind(arena, before);
     return status;
@@ -109,14 +102,15 @@ static mt_status stray_at(const mt_morph *morph, double t, const mt_params *para
 /* Chords may touch where the curves do not: what strays is looked at again, more finely. */
 mt_status mt_morph_strays(const mt_morph *morph, int enough, const mt_params *params, mt_arena *arena,
                           mt_straying *by) {
+    const mt_census ends[] = {mt_census_of(&morph->a.whole), mt_census_of(&morph->b.whole)};
     mt_params fine = *params;
     mt_straying all = {0};
     fine.tolerance /= MT_OVERLAP_CARE;
     for (int i = 0; all.parts < enough && i < MT_CENSUS_STEPS; i++) {
         mt_straying here;
         double t = mt_census_place(morph, i);
-        mt_status status = stray_at(morph, t, params, arena, &here);
-        if (status == MT_OK && here.parts > 0) status = stray_at(morph, t, &fine, arena, &here);
+        mt_status status = stray_at(morph, ends, t, params, arena, &here);
+        if (status == MT_OK && here.parts > 0) status = stray_at(morph, ends, t, &fine, arena, &here);
         if (status != MT_OK) return status;
         all.parts += here.parts;
         all.merged += here.merged;

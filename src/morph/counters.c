@@ -9,8 +9,7 @@
 typedef struct mt_glyph {
     const mt_morph *morph;
     const mt_params *params;
-    int least;    /* the least holes that an end has */
-    int *numbers; /* each contour's own */
+    int least; /* the least holes that an end has */
 } mt_glyph;
 
 /* ---- a place ------------------------------------------------------------------------------------------------- */
@@ -60,19 +59,20 @@ static mt_status look(const mt_glyph *glyph, double t, int holes, mt_arena *aren
 /* Lets a hole's contour go the way, of those that are tried, on which the glyph strays least. */
 static mt_status keep_clear(const mt_glyph *glyph, int hole, double t, int holes, mt_arena *arena,
                             mt_straying *by) {
+    mt_masters *contour = &glyph->morph->contours[hole];
     mt_point best = {0, 0};
     for (int i = 0; i < MT_ASIDE_WAYS && by->parts > 0; i++) {
         mt_straying tried = *by;
         mt_point way = mt_aside_way(i);
-        mt_shift(glyph->morph, glyph->numbers, hole, way);
+        mt_shift_contour(contour, way);
         mt_status status = look(glyph, t, holes, arena, &tried);
         if (status != MT_OK) return status;
-        mt_shift(glyph->morph, glyph->numbers, hole, (mt_point){-way.x, -way.y});
+        mt_shift_contour(contour, (mt_point){-way.x, -way.y});
         if (tried.parts >= by->parts) continue;
         best = way;
         *by = tried;
     }
-    mt_shift(glyph->morph, glyph->numbers, hole, best);
+    mt_shift_contour(contour, best);
     return MT_OK;
 }
 
@@ -95,10 +95,7 @@ static mt_status keep_at(const mt_glyph *glyph, double t, mt_arena *arena, mt_st
 /* From half-way, where contours stand aside the most, outwards; as long as that goes. */
 mt_status mt_keep_counters(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_straying *by) {
     int in_a = mt_census_of(&morph->a.whole).holes, in_b = mt_census_of(&morph->b.whole).holes;
-    mt_glyph glyph = {morph, params, in_a < in_b ? in_a : in_b,
-                      mt_arena_new(arena, (size_t)morph->contour_count, sizeof(int))};
-    if (!glyph.numbers) return MT_NO_MEMORY;
-    for (int i = 0; i < morph->contour_count; i++) glyph.numbers[i] = i;
+    mt_glyph glyph = {morph, params, in_a < in_b ? in_a : in_b};
     mt_status status = MT_OK;
     bool closed = true;
     for (int i = 0; status == MT_OK && closed && by->parts > 0 && i < MT_CENSUS_STEPS; i++)

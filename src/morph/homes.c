@@ -32,10 +32,12 @@ mt_point mt_aside_way(int number) {
     return (mt_point){(int32_t)lround(length * cos(angle)), (int32_t)lround(length * sin(angle))};
 }
 
+void mt_shift_contour(mt_masters *contour, mt_point by) {
+    contour->aside.x += by.x;
+    contour->aside.y += by.y;
+}
+
 void mt_shift(const mt_morph *morph, const int *numbers, int number, mt_point by) {
-    for (int i = 0; i < morph->contour_count; i++) {
-        if (numbers[i] != number) continue;
-        morph->contours[i].aside.x += by.x;
-        morph->contours[i].aside.y += by.y;
-    }
+    for (int i = 0; i < morph->contour_count; i++)
+        if (numbers[i] == number) mt_shift_contour(&morph->contours[i], by);
 }

@@ -19,7 +19,10 @@ bool mt_share_home(const mt_homes *homes, int contour, int other);
 enum { MT_ASIDE_WAYS = 48 };
 mt_point mt_aside_way(int number);
 
-/* Lets the contours that are numbered so stand aside by so much more half-way (mt_masters.aside). */
+/* Lets a contour stand aside by so much more half-way (mt_masters.aside). */
+void mt_shift_contour(mt_masters *contour, mt_point by);
+
+/* The same of all that are numbered so. */
 void mt_shift(const mt_morph *morph, const int *numbers, int number, mt_point by);
 
 #endif

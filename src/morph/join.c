@@ -57,12 +57,6 @@ static mt_status join_rings(mt_joining *j, const mt_ring *p, const mt_ring *q, m
 
 /* ---- whether it can be drawn --------------------------------------------------------------------------- */
 
-static int64_t signed_area2(const mt_rings *rings) {
-    int64_t area = 0;
-    for (int i = 0; i < rings->count; i++) area += mt_ring_area2(&rings->rings[i]);
-    return area;
-}
-
 /* Whether the half-way contours keep clear of themselves and of each other, but for a little. */
 static mt_status is_drawable(const mt_joining *j, const mt_masters *contours, int count, bool *drawable) {
     mt_outline outline = {count, mt_arena_new(j->arena, (size_t)count, sizeof(mt_contour))};
@@ -75,7 +69,7 @@ static mt_status is_drawable(const mt_joining *j, const mt_masters *contours, in
     if (status == MT_OK) status = mt_flatten(&outline, j->terms->manner.chord, j->arena, &rings);
     if (status == MT_OK) status = mt_union(&rings, MT_NONZERO, j->arena, &shape);
     if (status != MT_OK) return status;
-    double ink = (double)mt_shape_area2(&shape), drawn = (double)signed_area2(&rings);
+    double ink = (double)mt_shape_area2(&shape), drawn = (double)mt_component_area2(&rings);
     *drawable = fabs(drawn - ink) <= OVERLAP_MOST * ink;
     return MT_OK;
 }

@@ -274,9 +274,9 @@ static mt_status outline_between(const mt_morph *morph, mt_weights weights, cons
     bool clean = false;
     double tolerance = mt_grid_units(params->tolerance);
     mt_status status = both_kinds(morph, weights, params, arena, outline);
-    if (status == MT_OK) status = mt_outline_resolve(outline, MT_NONZERO, tolerance, arena, &shape, &clean);
+    if (status == MT_OK) status = mt_outline_resolve(outline, tolerance, arena, &shape, &clean);
     if (status == MT_OK && !clean)
-        status = mt_outline_resolve(outline, MT_NONZERO, tolerance / MT_OVERLAP_CARE, arena, &shape, &clean);
+        status = mt_outline_resolve(outline, tolerance / MT_OVERLAP_CARE, arena, &shape, &clean);
     return status == MT_OK && !clean ? mt_shape_outline(&shape, params, arena, outline) : status;
 }
 

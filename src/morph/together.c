@@ -32,8 +32,8 @@ typedef struct mt_scene {
 
 /* Two parts of a scene that an end has in one. */
 typedef struct mt_rift {
-    int part, other;
-    mt_point way; /* from the one to the other, where they are nearest */
+    int part;     /* the one that is to come nearer */
+    mt_point way; /* from it to the other, where they are nearest */
     double gap;   /* its length, grid units */
 } mt_rift;
 
@@ -64,12 +64,12 @@ static bool belong_together(const mt_scene *s, int part, int other) {
 
 static mt_rift rift_between(const mt_scene *s, int part, int other) {
     const mt_component *p = &s->shape.components[part], *q = &s->shape.components[other];
-    mt_rift rift = {part, other, {0, 0}, INFINITY};
+    mt_rift rift = {part, {0, 0}, INFINITY};
     for (int i = 0; i < p->count; i++)
         for (int k = 0; k < q->count; k++) {
             mt_point way;
             double gap = mt_ring_gap(&p->rings[i], &q->rings[k], &way);
-            if (gap < rift.gap) rift = (mt_rift){part, other, way, gap};
+            if (gap < rift.gap) rift = (mt_rift){part, way, gap};
         }
     return rift;
 }
@@ -136,7 +136,7 @@ static mt_status close_one(const mt_scene *s, mt_arena *arena, mt_straying *by) 
             mt_rift rift = rift_between(s, p, q);
             if (rift.gap <= 0) continue;
             status = draw(s, &rift, arena, by);
-            rift = (mt_rift){q, p, {-rift.way.x, -rift.way.y}, rift.gap};
+            rift = (mt_rift){q, {-rift.way.x, -rift.way.y}, rift.gap};
             if (status == MT_OK && by->parts == before) status = draw(s, &rift, arena, by);
             if (status != MT_OK || by->parts < before) return status;
         }

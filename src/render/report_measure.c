@@ -15,9 +15,9 @@ double mt_report_t(int step) {
 static mt_status measure_ink(const mt_outline *outline, double tolerance, mt_arena *arena, mt_census *ink) {
     mt_shape shape;
     bool clean;
-    mt_status status = mt_outline_resolve(outline, MT_NONZERO, tolerance, arena, &shape, &clean);
+    mt_status status = mt_outline_resolve(outline, tolerance, arena, &shape, &clean);
     if (status == MT_OK && !clean)
-        status = mt_outline_resolve(outline, MT_NONZERO, tolerance / MT_OVERLAP_CARE, arena, &shape, &clean);
+        status = mt_outline_resolve(outline, tolerance / MT_OVERLAP_CARE, arena, &shape, &clean);
     if (status == MT_OK) *ink = mt_census_of(&shape);
     return status;
 }

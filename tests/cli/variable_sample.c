@@ -129,7 +129,7 @@ static double read_hb(hb_font_t *font, uint32_t code_point, mt_reader *reader) {
 static mt_shape ink_of(const mt_outline *outline, mt_arena *arena) {
     mt_shape shape;
     bool clean;
-    mt_assert_ok(mt_outline_resolve(outline, MT_NONZERO, TOLERANCE, arena, &shape, &clean));
+    mt_assert_ok(mt_outline_resolve(outline, TOLERANCE, arena, &shape, &clean));
     return shape;
 }
 

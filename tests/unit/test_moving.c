@@ -31,8 +31,7 @@ static mt_shape ink_at(const mt_morph *morph, const mt_moving *moving, double t,
     mt_shape ink;
     bool clean;
     mt_assert_ok(mt_moving_at(morph, moving, mt_weights_at(t), &arena, &outline));
-    mt_assert_ok(
-        mt_outline_resolve(&outline, MT_NONZERO, mt_grid_units(params->tolerance) / 4, &arena, &ink, &clean));
+    mt_assert_ok(mt_outline_resolve(&outline, mt_grid_units(params->tolerance) / 4, &arena, &ink, &clean));
     return ink;
 }
 

@@ -24,7 +24,7 @@ static bool is_clean(mt_contour *contours, int count, int64_t area2) {
     mt_outline outline = {count, contours};
     mt_shape shape;
     bool clean;
-    mt_assert_ok(mt_outline_resolve(&outline, MT_NONZERO, 100, &arena, &shape, &clean));
+    mt_assert_ok(mt_outline_resolve(&outline, 100, &arena, &shape, &clean));
     assert_true(mt_oracle_shape_area2(&shape) == area2);
     return clean;
 }
