@@ -1,9 +1,11 @@
 #include "morph/joint.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "morph/holes.h"
 #include "morph/join.h"
+#include "morph/masters.h"
 #include "morph/overlap.h"
 #include "morph/reconcile.h"
 
@@ -147,7 +149,8 @@ static bool all_aligned(const mt_side *side) {
     return true;
 }
 
-mt_status mt_joint(mt_morph *morph, const mt_terms *terms, mt_arena *arena) {
+/* As they are where they can be, else cut, else as they are all the same. */
+static mt_status join_all(mt_morph *morph, const mt_terms *terms, mt_arena *arena) {
     mt_morph whole = *morph;
     mt_loom loom = {morph, terms, arena};
     bool joined;
@@ -158,5 +161,24 @@ mt_status mt_joint(mt_morph *morph, const mt_terms *terms, mt_arena *arena) {
     loom.morph = &whole;
     status = join_plain(&loom, PLAIN_LAST, &joined);
     if (status == MT_OK && joined) *morph = whole;
+    return status;
+}
+
+/* The largest first, half-way; of equal ones the one that begins more to the left, or lower. */
+static int compare_contours(const void *p, const void *q) {
+    const mt_masters *one = p, *other = q;
+    double area = mt_masters_area(one), beside = mt_masters_area(other);
+    if (area != beside) return area > beside ? -1 : 1;
+    mt_point a = one->a.segments[0].end, b = one->b.segments[0].end, c = other->a.segments[0].end,
+             d = other->b.segments[0].end;
+    int64_t x = (int64_t)a.x + b.x - c.x - d.x, y = (int64_t)a.y + b.y - c.y - d.y;
+    return x != 0 ? (x > 0) - (x < 0) : (y > 0) - (y < 0);
+}
+
+/* The order of the contours is the same whichever shape is A: the first to stand aside is (morph.c). */
+mt_status mt_joint(mt_morph *morph, const mt_terms *terms, mt_arena *arena) {
+    mt_status status = join_all(morph, terms, arena);
+    if (status == MT_OK)
+        qsort(morph->contours, (size_t)morph->contour_count, sizeof *morph->contours, compare_contours);
     return status;
 }

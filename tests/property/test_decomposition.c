@@ -102,7 +102,7 @@ static void moved_components(void **state) {
     for (int i = 0; i < mt_test_cases(200); i++) {
         mt_random random = mt_random_case(i);
         mt_component component = mt_random_component(&random, &arena, 30, 10000);
-        mt_point by = {mt_random_between(&random, -90000, 90000), mt_random_between(&random, -90000, 90000)};
+        mt_point by = mt_random_point(&random, -90000, 90000);
         mt_subject subject = {"moved_components", i, {&component}};
         check_same(&component, 1, by, &subject);
         mt_arena_reset(&arena);

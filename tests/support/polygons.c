@@ -156,9 +156,10 @@ static void reverse(mt_point *points, int from, int to) {
 static void draw_tangle(mt_random *random, sketch *s, int size, double extent) {
     int reach = mt_random_one_in(random, 3) ? 8 : (int)extent;
     int unit = (int)extent / reach, count = size < 40 ? size : 40;
-    for (int i = 0; i < count; i++)
-        add(s, mt_random_between(random, -reach, reach) * unit,
-            mt_random_between(random, -reach, reach) * unit);
+    for (int i = 0; i < count; i++) {
+        mt_point at = mt_random_point(random, -reach, reach);
+        add(s, at.x * unit, at.y * unit);
+    }
     bool changed = true;
     for (int round = 0; changed && round < 200; round++) {
         changed = false;
@@ -257,7 +258,7 @@ static mt_component draw_cells(mt_random *random, mt_arena *arena, int size, int
 
 /* Tries a clockwise star around a random point as far from all edges as it can be. */
 static void add_hole(mt_random *random, mt_arena *arena, mt_component *component, int size, int extent) {
-    mt_point at = {mt_random_between(random, -extent, extent), mt_random_between(random, -extent, extent)};
+    mt_point at = mt_random_point(random, -extent, extent);
     double room = mt_oracle_distance(component, 1, mt_spot_of(at, 1));
     if (mt_oracle_winding(component, 1, mt_spot_of(at, 1)) != 1 || room < 16) return;
     sketch s = {0};
@@ -344,8 +345,6 @@ mt_shape mt_random_shape(mt_random *random, mt_arena *arena, int most, int size,
 
 mt_ring mt_random_scrawl(mt_random *random, mt_arena *arena, int count, int extent) {
     mt_ring ring = mt_test_ring(arena, count);
-    for (int i = 0; i < count; i++)
-        ring.points[i] = (mt_point){mt_random_between(random, -extent, extent),
-                                    mt_random_between(random, -extent, extent)};
+    for (int i = 0; i < count; i++) ring.points[i] = mt_random_point(random, -extent, extent);
     return ring;
 }

@@ -41,6 +41,11 @@ double mt_random_unit(mt_random *random) {
     return (double)(mt_random_next(random) >> 11) * 0x1p-53;
 }
 
+mt_point mt_random_point(mt_random *random, int low, int high) {
+    int x = mt_random_between(random, low, high);
+    return (mt_point){x, mt_random_between(random, low, high)};
+}
+
 bool mt_random_one_in(mt_random *random, int n) {
     return mt_random_between(random, 1, n) == 1;
 }

@@ -8,6 +8,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "geometry/point.h"
+
 typedef struct mt_random {
     uint64_t state;
 } mt_random;
@@ -22,8 +24,9 @@ int mt_test_cases(int usual);
 mt_random mt_random_case(int number);
 
 uint64_t mt_random_next(mt_random *random);
-int mt_random_between(mt_random *random, int low, int high); /* both inclusive */
-double mt_random_unit(mt_random *random);                    /* 0 … 1, without 1 */
+int mt_random_between(mt_random *random, int low, int high);    /* both inclusive */
+double mt_random_unit(mt_random *random);                       /* 0 … 1, without 1 */
+mt_point mt_random_point(mt_random *random, int low, int high); /* x, then y: compilers differ otherwise */
 bool mt_random_one_in(mt_random *random, int n);
 
 #endif

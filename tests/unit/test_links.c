@@ -113,8 +113,7 @@ static double apart(const mt_side *a, int i, const mt_side *b, int j) {
 static mt_side random_side(mt_random *random) {
     mt_point places[8];
     int count = mt_random_between(random, 2, 8);
-    for (int i = 0; i < count; i++)
-        places[i] = (mt_point){mt_random_between(random, -500, 500), mt_random_between(random, -500, 500)};
+    for (int i = 0; i < count; i++) places[i] = mt_random_point(random, -500, 500);
     return joined(squares(places, count));
 }
 

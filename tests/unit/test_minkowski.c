@@ -53,8 +53,8 @@ static void mixes(void **state) {
     mt_random random = mt_random_case(0);
     for (int i = 0; i < mt_test_cases(10000); i++) {
         mt_weights weights = mt_weights_at(mt_random_unit(&random));
-        mt_point p = {mt_random_between(&random, -m, m), mt_random_between(&random, -m, m)};
-        mt_point q = {mt_random_between(&random, -m, m), mt_random_between(&random, -m, m)};
+        mt_point p = mt_random_point(&random, -m, m);
+        mt_point q = mt_random_point(&random, -m, m);
         mt_point mix = mt_mix(weights, p, q);
         assert_int_equal(mix.x, mixed(weights, p.x, q.x));
         assert_int_equal(mix.y, mixed(weights, p.y, q.y));

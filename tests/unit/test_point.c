@@ -51,7 +51,7 @@ static void circle_at_the_limits(void **state) {
 }
 
 static mt_point random_point(mt_random *random, int reach) {
-    return (mt_point){mt_random_between(random, -reach, reach), mt_random_between(random, -reach, reach)};
+    return mt_random_point(random, -reach, reach);
 }
 
 /* Small reaches give points in line and on a circle; large ones fill the numbers. */

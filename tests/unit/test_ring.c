@@ -184,8 +184,7 @@ static void hulls(void **state) {
         mt_spot spots[40], expected[40];
         int n = mt_random_between(&random, 1, 40), reach = i % 3 ? 4 : MT_COORD_MAX;
         for (int k = 0; k < n; k++) {
-            points[k] = (mt_point){mt_random_between(&random, -reach, reach),
-                                   mt_random_between(&random, -reach, reach)};
+            points[k] = mt_random_point(&random, -reach, reach);
             spots[k] = mt_spot_of(points[k], 1);
         }
         int count = mt_convex_hull(points, n, hull);

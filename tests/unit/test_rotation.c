@@ -37,10 +37,8 @@ static void by_the_textbook(void **state) {
     (void)state;
     mt_random random = mt_random_case(0);
     for (int i = 0; i < mt_test_cases(1000); i++) {
-        mt_point p = {mt_random_between(&random, -500000, 500000),
-                      mt_random_between(&random, -500000, 500000)};
-        mt_point centre = {mt_random_between(&random, -500000, 500000),
-                           mt_random_between(&random, -500000, 500000)};
+        mt_point p = mt_random_point(&random, -500000, 500000);
+        mt_point centre = mt_random_point(&random, -500000, 500000);
         double degrees = 720 * mt_random_unit(&random) - 360, q = degrees * M_PI / 180;
         double x = (double)p.x - centre.x, y = (double)p.y - centre.y;
         mt_point turned = mt_turn(p, centre, degrees);

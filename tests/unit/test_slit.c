@@ -178,8 +178,7 @@ static mt_component slit_open(mt_random *random) {
     mt_component closed = mt_test_rings(&arena, 2), opened = mt_test_rings(&arena, 1);
     closed.rings[0] = mt_test_ring_of(&arena, outer, 4, UNIT);
     mt_ring hole = mt_test_ring(&arena, 3);
-    hole.points[0] =
-        (mt_point){mt_random_between(random, 20000, 90000), mt_random_between(random, 20000, 90000)};
+    hole.points[0] = mt_random_point(random, 20000, 90000);
     hole.points[1] = (mt_point){hole.points[0].x + 10000, hole.points[0].y + 50000};
     hole.points[2] = (mt_point){hole.points[0].x + 50000, hole.points[0].y + 10000};
     opened.rings[0] = mt_test_ring(&arena, 9);
