@@ -36,6 +36,12 @@ int64_t mt_ring_area2(const mt_ring *ring) {
     return (int64_t)sum;
 }
 
+int64_t mt_rings_corners(const mt_rings *rings) {
+    int64_t corners = 0;
+    for (int i = 0; i < rings->count; i++) corners += rings->rings[i].count;
+    return corners;
+}
+
 int64_t mt_component_area2(const mt_component *component) {
     int64_t sum = 0;
     for (int i = 0; i < component->count; i++) sum += mt_ring_area2(&component->rings[i]);

@@ -54,6 +54,9 @@ int64_t mt_ring_area2(const mt_ring *ring);
 int64_t mt_component_area2(const mt_component *component); /* the holes taken off; of any rings, their sum */
 int64_t mt_shape_area2(const mt_shape *shape);
 
+/* How many points they have, all together. */
+int64_t mt_rings_corners(const mt_rings *rings);
+
 /* All rings of a shape in one list; the points are shared, not copied. MT_NO_MEMORY. */
 mt_status mt_shape_rings(const mt_shape *shape, mt_arena *arena, mt_rings *rings);
 

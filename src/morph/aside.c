@@ -3,13 +3,12 @@
 #include <math.h>
 
 #include "geometry/limits.h"
-#include "geometry/union.h"
 #include "morph/homes.h"
 #include "morph/masters.h"
 
 /* Contours in clusters: those whose components are one at either end have to stay together. */
 typedef struct mt_clusters {
-    const mt_morph *morph;
+    mt_mending *m;
     bool *moved;   /* each cluster: it stands aside */
     int *of;       /* each contour's, numbered by its first contour */
     double *area;  /* of each cluster, half-way, grid units squared */
@@ -51,10 +50,12 @@ static mt_box way_box(const mt_masters *m) {
     return box;
 }
 
-static mt_status gather(const mt_morph *m, mt_arena *arena, mt_clusters *clusters) {
+static mt_status gather(mt_mending *mending, mt_clusters *clusters) {
+    const mt_morph *m = mending->morph;
+    mt_arena *arena = mending->arena;
     size_t count = (size_t)m->contour_count;
     mt_homes homes;
-    *clusters = (mt_clusters){.morph = m,
+    *clusters = (mt_clusters){.m = mending,
                               .moved = mt_arena_new(arena, count, sizeof(bool)),
                               .of = mt_arena_new(arena, count, sizeof(int)),
                               .area = mt_arena_new(arena, count, sizeof(double)),
@@ -80,54 +81,55 @@ static mt_status gather(const mt_morph *m, mt_arena *arena, mt_clusters *cluster
 
 /* ---- where they touch ---------------------------------------------------------------------------------------- */
 
-/* The contours of one cluster, or of two, at one place: how many components they are. */
-static mt_status components_of(const mt_clusters *c, int one, int other, double t, double chord,
-                               mt_arena *arena, int *count) {
-    mt_outline outline = {0, mt_arena_new(arena, (size_t)c->morph->contour_count, sizeof(mt_contour))};
+/* The contours of one cluster, or of two, at one place. */
+static mt_status rings_of(const mt_clusters *c, int one, int other, double t, mt_rings *rings) {
+    const mt_mending *m = c->m;
+    mt_outline outline = {0, mt_arena_new(m->arena, (size_t)m->morph->contour_count, sizeof(mt_contour))};
+    mt_status status = outline.contours ? MT_OK : MT_NO_MEMORY;
+    for (int i = 0; status == MT_OK && i < m->morph->contour_count; i++)
+        if (c->of[i] == one || c->of[i] == other)
+            status = mt_masters_mix(&m->morph->contours[i], mt_weights_at(t), m->arena,
+                                    &outline.contours[outline.count++]);
+    return status == MT_OK ? mt_flatten(&outline, mt_grid_units(m->params->tolerance), m->arena, rings)
+                           : status;
+}
+
+/* How many components they are. */
+static mt_status components_of(const mt_clusters *c, int one, int other, int place, int *count) {
+    mt_arena_place before = mt_arena_mark(c->m->arena);
     mt_rings rings;
     mt_shape shape;
-    mt_status status = outline.contours ? MT_OK : MT_NO_MEMORY;
-    for (int i = 0; status == MT_OK && i < c->morph->contour_count; i++)
-        if (c->of[i] == one || c->of[i] == other)
-            status = mt_masters_mix(&c->morph->contours[i], mt_weights_at(t), arena,
-                                    &outline.contours[outline.count++]);
-    if (status == MT_OK) status = mt_flatten(&outline, chord, arena, &rings);
-    if (status == MT_OK) status = mt_union(&rings, MT_POSITIVE, arena, &shape);
+    mt_status status = rings_of(c, one, other, mt_census_place(c->m->morph, place), &rings);
+    if (status == MT_OK) status = mt_mend_union(c->m, &rings, MT_POSITIVE, &shape);
     if (status == MT_OK) *count = mt_census_of(&shape).components;
+    mt_arena_rewind(c->m->arena, before);
     return status;
 }
 
 /* Of a cluster alone; it has as many wherever it stands. */
-static mt_status count_alone(const mt_clusters *c, int cluster, int place, double chord, mt_arena *arena,
-                             int *count) {
+static mt_status count_alone(const mt_clusters *c, int cluster, int place, int *count) {
     int *known = &c->alone[cluster * MT_CENSUS_STEPS + place];
-    mt_status status = MT_OK;
-    if (*known == 0)
-        status = components_of(c, cluster, cluster, mt_census_place(c->morph, place), chord, arena, known);
+    mt_status status = *known == 0 ? components_of(c, cluster, cluster, place, known) : MT_OK;
     *count = *known;
     return status;
 }
 
-static mt_status touch_at(const mt_clusters *c, int p, int q, int place, double chord, mt_arena *arena,
-                          bool *touch) {
-    mt_arena_place before = mt_arena_mark(arena);
+static mt_status touch_at(const mt_clusters *c, int p, int q, int place, bool *touch) {
     int alone = 0, beside = 0, together = 0;
-    mt_status status = count_alone(c, p, place, chord, arena, &alone);
-    if (status == MT_OK) status = count_alone(c, q, place, chord, arena, &beside);
-    if (status == MT_OK)
-        status = components_of(c, p, q, mt_census_place(c->morph, place), chord, arena, &together);
+    mt_status status = count_alone(c, p, place, &alone);
+    if (status == MT_OK) status = count_alone(c, q, place, &beside);
+    if (status == MT_OK) status = components_of(c, p, q, place, &together);
     *touch = together < alone + beside;
-    mt_arena_rewind(arena, before);
     return status;
 }
 
 /* Whether two clusters touch at any place between the ends. */
-static mt_status do_touch(const mt_clusters *c, int p, int q, double chord, mt_arena *arena, bool *touch) {
+static mt_status do_touch(const mt_clusters *c, int p, int q, bool *touch) {
     mt_status status = MT_OK;
     *touch = false;
     if (!meet(c->boxes[p], c->boxes[q])) return MT_OK;
     for (int i = 0; status == MT_OK && !*touch && i < MT_CENSUS_STEPS; i++)
-        status = touch_at(c, p, q, i, chord, arena, touch);
+        status = touch_at(c, p, q, i, touch);
     return status;
 }
 
@@ -135,41 +137,35 @@ static mt_status do_touch(const mt_clusters *c, int p, int q, double chord, mt_a
 
 /* Moves a cluster that touches another by as little as helps, unless it has moved: the two are apart then, and all of the glyph
  * strays less. */
-static mt_status move_away(const mt_clusters *c, int cluster, int other, const mt_params *params,
-                           mt_arena *arena, mt_straying *by) {
-    for (int i = 0; i < MT_ASIDE_WAYS && !c->moved[cluster]; i++) {
-        bool touch;
-        mt_straying tried = *by;
+static mt_status move_away(const mt_clusters *c, int cluster, int other) {
+    for (int i = 0; i < MT_ASIDE_WAYS && !c->moved[cluster] && mt_mend_goes_on(c->m); i++) {
+        bool touch, better = false;
         mt_point to = mt_aside_way(i);
-        mt_shift(c->morph, c->of, cluster, to);
-        mt_status status = do_touch(c, cluster, other, mt_grid_units(params->tolerance), arena, &touch);
-        if (status == MT_OK && !touch) status = mt_morph_strays(c->morph, by->parts, params, arena, &tried);
+        mt_shift(c->m->morph, c->of, cluster, to);
+        mt_status status = do_touch(c, cluster, other, &touch);
+        if (status == MT_OK && !touch) status = mt_mend_compare(c->m, &better);
         if (status != MT_OK) return status;
-        c->moved[cluster] = tried.parts < by->parts;
-        if (c->moved[cluster])
-            *by = tried;
-        else
-            mt_shift(c->morph, c->of, cluster, (mt_point){-to.x, -to.y});
+        c->moved[cluster] = better;
+        if (!better) mt_shift(c->m->morph, c->of, cluster, (mt_point){-to.x, -to.y});
     }
     return MT_OK;
 }
 
 /* Parts two clusters, where they touch: the smaller makes way or, where that does not help, the larger. */
-static mt_status part(const mt_clusters *c, int p, int q, const mt_params *params, mt_arena *arena,
-                      mt_straying *by) {
+static mt_status part(const mt_clusters *c, int p, int q) {
     bool touch;
-    mt_status status = do_touch(c, p, q, mt_grid_units(params->tolerance), arena, &touch);
+    mt_status status = do_touch(c, p, q, &touch);
     if (status != MT_OK || !touch) return status;
-    int small = fabs(c->area[p]) <= fabs(c->area[q]) ? p : q, large = p + q - small, before = by->parts;
-    status = move_away(c, small, large, params, arena, by);
-    return status == MT_OK && by->parts == before ? move_away(c, large, small, params, arena, by) : status;
+    int small = fabs(c->area[p]) <= fabs(c->area[q]) ? p : q, large = p + q - small, before = c->m->by.parts;
+    status = move_away(c, small, large);
+    return status == MT_OK && c->m->by.parts == before ? move_away(c, large, small) : status;
 }
 
-mt_status mt_stand_aside(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_straying *by) {
+mt_status mt_stand_aside(mt_mending *m) {
     mt_clusters clusters;
-    mt_status status = gather(morph, arena, &clusters);
-    for (int q = 1; status == MT_OK && q < morph->contour_count; q++)
-        for (int p = 0; status == MT_OK && p < q && by->parts > 0; p++)
-            if (clusters.of[p] == p && clusters.of[q] == q) status = part(&clusters, p, q, params, arena, by);
+    mt_status status = gather(m, &clusters);
+    for (int q = 1; status == MT_OK && q < m->morph->contour_count; q++)
+        for (int p = 0; status == MT_OK && p < q && mt_mend_goes_on(m); p++)
+            if (clusters.of[p] == p && clusters.of[q] == q) status = part(&clusters, p, q);
     return status;
 }

@@ -2,11 +2,11 @@
 #ifndef MT_ASIDE_H
 #define MT_ASIDE_H
 
-#include "morph/census.h"
+#include "morph/mend.h"
 
 /* Where contours whose components are apart at both ends touch in between, lets those of the smaller one stand aside half-way
- * (mt_masters.aside), by as little as keeps them apart, when the glyph strays less for it. *by: how it strays, before and after.
+ * (mt_masters.aside), by as little as keeps them apart, when the glyph strays less for it.
  * As mt_morph_blend. */
-mt_status mt_stand_aside(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_straying *by);
+mt_status mt_stand_aside(mt_mending *m);
 
 #endif

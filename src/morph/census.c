@@ -54,13 +54,6 @@ double mt_census_place(const mt_morph *morph, int number) {
     return (double)(before ? half - from_half : half + from_half) / (MT_CENSUS_STEPS + 1);
 }
 
-mt_status mt_census_shape(const mt_morph *morph, double t, const mt_params *params, mt_arena *arena,
-                          mt_shape *shape) {
-    mt_rings rings;
-    mt_status status = mt_morph_rings(morph, mt_weights_at(t), params, arena, &rings);
-    return status == MT_OK ? mt_union(&rings, MT_POSITIVE, arena, shape) : status;
-}
-
 static int fewer_than_both(int count, int a, int b) {
     return count < a && count < b ? mt_count_excess(count, a, b) : 0;
 }
@@ -95,6 +88,7 @@ static mt_status stray_at(const mt_morph *morph, const mt_census ends[2], double
         if (status == MT_OK) at = mt_census_of(&meant);
         if (status == MT_OK) *by = worse(*by, straying(&at, &ends[0], &ends[1]));
     }
+    if (status == MT_OK) by->corners = mt_rings_corners(&rings);
     mt_arena_rewind(arena, before);
     return status;
 }
@@ -110,7 +104,11 @@ mt_status mt_morph_strays(const mt_morph *morph, int enough, const mt_params *pa
         mt_straying here;
         double t = mt_census_place(morph, i);
         mt_status status = stray_at(morph, ends, t, params, arena, &here);
-        if (status == MT_OK && here.parts > 0) status = stray_at(morph, ends, t, &fine, arena, &here);
+        if (status == MT_OK) all.corners += here.corners;
+        if (status == MT_OK && here.parts > 0) {
+            status = stray_at(morph, ends, t, &fine, arena, &here);
+            all.corners += here.corners;
+        }
         if (status != MT_OK) return status;
         all.parts += here.parts;
         all.merged += here.merged;

@@ -23,21 +23,18 @@ double mt_area_excess(double area, double a, double b);
  * towards the end with more ink, so that it is all the same which end is A. */
 double mt_census_place(const mt_morph *morph, int number);
 
-/* The ink at a place as it is meant: where a hole's contour leaves what it is a hole of, nothing is drawn, though the nonzero
- * rule of fonts draws it. As mt_morph_blend. */
-mt_status mt_census_shape(const mt_morph *morph, double t, const mt_params *params, mt_arena *arena,
-                          mt_shape *shape);
-
 /* How far a morph strays, over MT_CENSUS_STEPS places between its ends. */
 typedef struct mt_straying {
     int parts; /* by how many components and holes its in-betweens are out of the ends' range, all added up */
-    int merged; /* of these, the components that are fewer than at either end */
-    int opened; /* and the holes that are */
-    double ink; /* how far the ink is, at most, relative to the larger end */
+    int merged;      /* of these, the components that are fewer than at either end */
+    int opened;      /* and the holes that are */
+    double ink;      /* how far the ink is, at most, relative to the larger end */
+    int64_t corners; /* of all that was looked at to say so */
 } mt_straying;
 
-/* Counts the blend as it is drawn and, where contours lie over one another, as it is meant (mt_census_shape), and takes the worse;
- * on until the parts are `enough`. As mt_morph_blend. */
+/* Counts the blend as it is drawn and, where contours lie over one another, as it is meant: what a hole's contour goes around
+ * outside of its ink is not meant, though the nonzero rule of fonts draws it. Takes the worse of the two; goes on until the parts
+ * are `enough`. As mt_morph_blend. */
 mt_status mt_morph_strays(const mt_morph *morph, int enough, const mt_params *params, mt_arena *arena,
                           mt_straying *by);
 

@@ -2,10 +2,10 @@
 #ifndef MT_COUNTERS_H
 #define MT_COUNTERS_H
 
-#include "morph/census.h"
+#include "morph/mend.h"
 
 /* Lets the contours of holes stand aside half-way (mt_masters.aside), by as little as helps, where the glyph strays less for it.
- * *by: how it strays, before and after. As mt_morph_blend. */
-mt_status mt_keep_counters(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_straying *by);
+ * As mt_morph_blend. */
+mt_status mt_keep_counters(mt_mending *m);
 
 #endif

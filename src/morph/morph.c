@@ -1,43 +1,13 @@
 #include "morph/morph.h"
 
-#include <limits.h>
-#include <math.h>
-
-#include "geometry/decompose.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
-#include "morph/aside.h"
-#include "morph/counters.h"
-#include "morph/joint.h"
-#include "morph/known.h"
-#include "morph/links.h"
 #include "morph/masters.h"
+#include "morph/pieces.h"
 #include "morph/relax.h"
 #include "morph/rotation.h"
 #include "morph/similarity.h"
-#include "morph/together.h"
-
-/* ---- 2.1 convex decomposition -------------------------------------------------------------------------- */
-
-/* The components that do not move by contours. */
-static mt_status decompose_all(mt_side *side, mt_arena *arena) {
-    mt_pieces *parts = mt_arena_new(arena, (size_t)side->shape.count, sizeof *parts);
-    side->first = mt_arena_new(arena, (size_t)side->shape.count + 1, sizeof *side->first);
-    if (!parts || !side->first) return MT_NO_MEMORY;
-    for (int k = 0; k < side->shape.count; k++) {
-        mt_status status = MT_OK;
-        if (!side->aligned || !side->aligned[k])
-            status = mt_decompose(&side->shape.components[k], arena, &parts[k]);
-        if (status != MT_OK) return status;
-        side->first[k + 1] = side->first[k] + parts[k].count;
-    }
-    side->pieces.count = side->first[side->shape.count];
-    side->pieces.rings = mt_arena_new(arena, (size_t)side->pieces.count, sizeof(mt_ring));
-    if (!side->pieces.rings) return MT_NO_MEMORY;
-    for (int k = 0; k < side->shape.count; k++)
-        for (int i = 0; i < parts[k].count; i++) side->pieces.rings[side->first[k] + i] = parts[k].rings[i];
-    return MT_OK;
-}
+#include "morph/sound.h"
 
 /* ---- 2.2.1 mapping the connected weights --------------------------------------------------------------- */
 
@@ -101,65 +71,6 @@ static mt_status turn_hints(const mt_hints *hints, const mt_morph *morph, mt_box
     return MT_OK;
 }
 
-/* ---- 2.2.2 mapping the pieces ---------------------------------------------------------------------------- */
-
-static mt_status link_pieces(mt_morph *morph, const mt_params *params, mt_arena *arena) {
-    bool paper = params->method == MT_METHOD_PAPER;
-    mt_status status = decompose_all(&morph->a, arena);
-    if (status == MT_OK) status = decompose_all(&morph->b, arena);
-    if (status != MT_OK) return status;
-    return (paper ? mt_link_pieces : mt_link_evenly)(&morph->a, &morph->b, &morph->matches, params->one_scale,
-                                                     arena, &morph->links);
-}
-
-/* ---- the joint method ---------------------------------------------------------------------------------- */
-
-/* In one manner. What the joint method cannot take, the paper's own still can. */
-static mt_status join(const mt_morph *matched, const mt_terms *terms, mt_arena *arena, mt_morph *joined) {
-    *joined = *matched;
-    mt_status status = mt_joint(joined, terms, arena);
-    if (status == MT_TOO_LARGE || status == MT_BAD_GEOMETRY) {
-        *joined = *matched;
-        status = MT_OK;
-    }
-    return status == MT_OK ? link_pieces(joined, terms->params, arena) : status;
-}
-
-/* Whether a manner keeps parts and holes better, and the ink no worse where that strays too. */
-static bool is_sounder(mt_straying tried, mt_straying best) {
-    return tried.parts < best.parts && (tried.ink <= MT_INK_EXCESS || tried.ink <= best.ink);
-}
-
-/* In one manner: parts that come apart drawn together, those that touch made to stand aside, counters kept clear. */
-static mt_status join_soundly(const mt_morph *matched, const mt_terms *terms, mt_arena *arena,
-                              mt_morph *joined, mt_straying *by) {
-    mt_status status = join(matched, terms, arena, joined);
-    if (status == MT_OK) status = mt_morph_strays(joined, INT_MAX, terms->params, arena, by);
-    if (status == MT_OK && by->parts > 0) status = mt_draw_together(joined, terms->params, arena, by);
-    if (status == MT_OK && by->merged > 0) status = mt_stand_aside(joined, terms->params, arena, by);
-    if (status == MT_OK && by->opened > 0) status = mt_keep_counters(joined, terms->params, arena, by);
-    return status;
-}
-
-/* In one manner after the other, until the glyph does not stray on the way; of those that all do, in the one that strays least. */
-static mt_status join_best(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
-    mt_morph best = *morph, tried;
-    mt_straying least = {.parts = INT_MAX, .ink = INFINITY}, by;
-    mt_known *known = mt_arena_new(arena, 1, sizeof *known);
-    if (!known) return MT_NO_MEMORY;
-    for (int i = 0; i < mt_manner_count() && least.parts > 0; i++) {
-        mt_terms terms = {hints, params, mt_manner_at(i, params)};
-        terms.manner.known = known;
-        mt_status status = join_soundly(morph, &terms, arena, &tried, &by);
-        if (status != MT_OK) return status;
-        if (!is_sounder(by, least)) continue;
-        least = by;
-        best = tried;
-    }
-    *morph = best;
-    return MT_OK;
-}
-
 /* ---- all of it ----------------------------------------------------------------------------------------- */
 
 mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints *hints,
@@ -174,7 +85,7 @@ mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints 
     if (status == MT_OK && hints) status = turn_hints(hints, &made, mt_shape_box(b), arena, &turned);
     if (status != MT_OK) return status;
     bool joint = a->count > 0 && params->method == MT_METHOD_JOINT;
-    status = joint ? join_best(&made, &turned, params, arena) : link_pieces(&made, params, arena);
+    status = joint ? mt_join_soundly(&made, &turned, params, arena) : mt_map_pieces(&made, params, arena);
     if (status == MT_OK) *morph = made;
     return status;
 }

@@ -14,17 +14,16 @@
 static const double laps[] = {1, 4, 12};
 enum { LAPS = sizeof laps / sizeof *laps };
 
-/* A glyph that strays, and its params. */
-typedef struct mt_glyph {
-    const mt_morph *morph;
-    const mt_params *params;
+/* What does not change with the place. */
+typedef struct mt_whole {
     mt_homes homes;
     int most; /* the most components that an end has */
-} mt_glyph;
+} mt_whole;
 
-/* It at one place. */
+/* The morph at one place. */
 typedef struct mt_scene {
-    const mt_glyph *glyph;
+    mt_mending *m;
+    const mt_whole *whole;
     double t;
     mt_shape shape;
     int *part_of; /* of each contour, the component of the shape that it is in */
@@ -39,15 +38,15 @@ typedef struct mt_rift {
 
 /* ---- a place ------------------------------------------------------------------------------------------------- */
 
-static mt_status look(const mt_glyph *glyph, double t, mt_arena *arena, mt_scene *scene) {
-    const mt_morph *m = glyph->morph;
-    *scene = (mt_scene){
-        .glyph = glyph, .t = t, .part_of = mt_arena_new(arena, (size_t)m->contour_count, sizeof(int))};
+static mt_status look(mt_mending *m, const mt_whole *whole, double t, mt_scene *scene) {
+    size_t count = (size_t)m->morph->contour_count;
+    *scene =
+        (mt_scene){.m = m, .whole = whole, .t = t, .part_of = mt_arena_new(m->arena, count, sizeof(int))};
     if (!scene->part_of) return MT_NO_MEMORY;
-    mt_status status = mt_morph_blend(m, mt_weights_at(t), glyph->params, arena, &scene->shape);
-    for (int i = 0; status == MT_OK && i < m->contour_count; i++) {
+    mt_status status = mt_mend_shape(m, t, MT_NONZERO, &scene->shape);
+    for (int i = 0; status == MT_OK && i < m->morph->contour_count; i++) {
         mt_contour contour;
-        status = mt_masters_mix(&m->contours[i], mt_weights_at(t), arena, &contour);
+        status = mt_masters_mix(&m->morph->contours[i], mt_weights_at(t), m->arena, &contour);
         if (status == MT_OK) scene->part_of[i] = mt_component_at(&scene->shape, contour.segments[0].end);
     }
     return status;
@@ -55,9 +54,9 @@ static mt_status look(const mt_glyph *glyph, double t, mt_arena *arena, mt_scene
 
 /* Whether two parts have contours of one component of an end. */
 static bool belong_together(const mt_scene *s, int part, int other) {
-    for (int i = 0; i < s->glyph->morph->contour_count; i++)
-        for (int k = 0; k < s->glyph->morph->contour_count; k++)
-            if (s->part_of[i] == part && s->part_of[k] == other && mt_share_home(&s->glyph->homes, i, k))
+    for (int i = 0; i < s->m->morph->contour_count; i++)
+        for (int k = 0; k < s->m->morph->contour_count; k++)
+            if (s->part_of[i] == part && s->part_of[k] == other && mt_share_home(&s->whole->homes, i, k))
                 return true;
     return false;
 }
@@ -77,8 +76,8 @@ static mt_rift rift_between(const mt_scene *s, int part, int other) {
 /* ---- drawing nearer ------------------------------------------------------------------------------------------ */
 
 static bool may_shift(const mt_scene *s, int part, mt_point by) {
-    for (int i = 0; i < s->glyph->morph->contour_count; i++) {
-        mt_point at = s->glyph->morph->contours[i].aside;
+    for (int i = 0; i < s->m->morph->contour_count; i++) {
+        mt_point at = s->m->morph->contours[i].aside;
         double x = (double)at.x + by.x, y = (double)at.y + by.y;
         if (s->part_of[i] == part && x * x + y * y > mt_grid_units(FARTHEST) * mt_grid_units(FARTHEST))
             return false;
@@ -93,41 +92,34 @@ static mt_point closing(const mt_scene *s, const mt_rift *rift, double lap) {
 }
 
 /* Whether there are fewer parts at the scene's place now. */
-static mt_status is_closed(const mt_scene *s, mt_arena *arena, bool *closed) {
+static mt_status is_closed(const mt_scene *s, bool *closed) {
     mt_shape shape;
-    mt_arena_place before = mt_arena_mark(arena);
-    mt_status status = mt_morph_blend(s->glyph->morph, mt_weights_at(s->t), s->glyph->params, arena, &shape);
+    mt_arena_place before = mt_arena_mark(s->m->arena);
+    mt_status status = mt_mend_shape(s->m, s->t, MT_NONZERO, &shape);
     *closed = status == MT_OK && mt_census_of(&shape).components < mt_census_of(&s->shape).components;
-    mt_arena_rewind(arena, before);
+    mt_arena_rewind(s->m->arena, before);
     return status;
 }
 
 /* Draws the one part to the other, if the gap is closed then and the glyph strays less. */
-static mt_status draw(const mt_scene *s, const mt_rift *rift, mt_arena *arena, mt_straying *by) {
-    const mt_morph *m = s->glyph->morph;
-    for (int i = 0; i < LAPS; i++) {
-        bool closed;
-        mt_straying tried = *by;
+static mt_status draw(const mt_scene *s, const mt_rift *rift) {
+    for (int i = 0; i < LAPS && mt_mend_goes_on(s->m); i++) {
+        bool closed, better = false;
         mt_point to = closing(s, rift, laps[i]);
         if (!may_shift(s, rift->part, to)) continue;
-        mt_shift(m, s->part_of, rift->part, to);
-        mt_status status = is_closed(s, arena, &closed);
-        if (status == MT_OK && closed)
-            status = mt_morph_strays(m, by->parts, s->glyph->params, arena, &tried);
-        if (status != MT_OK) return status;
-        if (tried.parts < by->parts) {
-            *by = tried;
-            return MT_OK;
-        }
-        mt_shift(m, s->part_of, rift->part, (mt_point){-to.x, -to.y});
+        mt_shift(s->m->morph, s->part_of, rift->part, to);
+        mt_status status = is_closed(s, &closed);
+        if (status == MT_OK && closed) status = mt_mend_compare(s->m, &better);
+        if (status != MT_OK || better) return status;
+        mt_shift(s->m->morph, s->part_of, rift->part, (mt_point){-to.x, -to.y});
     }
     return MT_OK;
 }
 
 /* Closes one rift of a scene: the smaller part comes nearer or, where that does not help, the larger. */
-static mt_status close_one(const mt_scene *s, mt_arena *arena, mt_straying *by) {
+static mt_status close_one(const mt_scene *s) {
     mt_status status = MT_OK;
-    int before = by->parts;
+    int before = s->m->by.parts;
     for (int p = 0; p < s->shape.count; p++)
         for (int q = 0; q < s->shape.count; q++) {
             const mt_component *part = &s->shape.components[p], *other = &s->shape.components[q];
@@ -135,38 +127,34 @@ static mt_status close_one(const mt_scene *s, mt_arena *arena, mt_straying *by) 
                 continue;
             mt_rift rift = rift_between(s, p, q);
             if (rift.gap <= 0) continue;
-            status = draw(s, &rift, arena, by);
+            status = draw(s, &rift);
             rift = (mt_rift){q, {-rift.way.x, -rift.way.y}, rift.gap};
-            if (status == MT_OK && by->parts == before) status = draw(s, &rift, arena, by);
-            if (status != MT_OK || by->parts < before) return status;
+            if (status == MT_OK && s->m->by.parts == before) status = draw(s, &rift);
+            if (status != MT_OK || s->m->by.parts < before) return status;
         }
     return MT_OK;
 }
 
 /* *closed: no rift is left at a place. */
-static mt_status close_at(const mt_glyph *glyph, double t, mt_arena *arena, mt_straying *by, bool *closed) {
+static mt_status close_at(mt_mending *m, const void *stage, double t, bool *closed) {
+    const mt_whole *whole = stage;
     int before;
     do {
         mt_scene scene;
-        before = by->parts;
-        mt_status status = look(glyph, t, arena, &scene);
+        before = m->by.parts;
+        mt_status status = look(m, whole, t, &scene);
         if (status != MT_OK) return status;
-        *closed = mt_census_of(&scene.shape).components <= glyph->most;
-        if (!*closed) status = close_one(&scene, arena, by);
+        *closed = mt_census_of(&scene.shape).components <= whole->most;
+        if (!*closed) status = close_one(&scene);
         if (status != MT_OK) return status;
-    } while (by->parts < before);
+    } while (m->by.parts < before);
     return MT_OK;
 }
 
-/* ---- all of it ----------------------------------------------------------------------------------------------- */
-
-/* From half-way, where contours stand aside the most, outwards; as long as that goes. */
-mt_status mt_draw_together(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_straying *by) {
-    int in_a = mt_census_of(&morph->a.whole).components, in_b = mt_census_of(&morph->b.whole).components;
-    mt_glyph glyph = {.morph = morph, .params = params, .most = in_a > in_b ? in_a : in_b};
-    mt_status status = mt_homes_of(morph, arena, &glyph.homes);
-    bool closed = true;
-    for (int i = 0; status == MT_OK && closed && by->parts > 0 && i < MT_CENSUS_STEPS; i++)
-        status = close_at(&glyph, mt_census_place(morph, i), arena, by, &closed);
-    return status;
+mt_status mt_draw_together(mt_mending *m) {
+    int in_a = mt_census_of(&m->morph->a.whole).components,
+        in_b = mt_census_of(&m->morph->b.whole).components;
+    mt_whole whole = {.most = in_a > in_b ? in_a : in_b};
+    mt_status status = mt_homes_of(m->morph, m->arena, &whole.homes);
+    return status == MT_OK ? mt_mend_outwards(m, close_at, &whole) : status;
 }

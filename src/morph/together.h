@@ -2,11 +2,11 @@
 #ifndef MT_TOGETHER_H
 #define MT_TOGETHER_H
 
-#include "morph/census.h"
+#include "morph/mend.h"
 
 /* Where contours that are one component at an end are more in between than at either, lets those of the smaller part come nearer
- * half-way (mt_masters.aside), as far as closes the gap, when the glyph strays less for it. *by: how it strays, before and
- * after. As mt_morph_blend. */
-mt_status mt_draw_together(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_straying *by);
+ * half-way (mt_masters.aside), as far as closes the gap, when the glyph strays less for it.
+ * As mt_morph_blend. */
+mt_status mt_draw_together(mt_mending *m);
 
 #endif

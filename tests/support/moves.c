@@ -43,10 +43,11 @@ mt_straying mt_test_strays(mt_arena *arena, const mt_morph *morph) {
 
 mt_straying mt_test_mend(mt_arena *arena, mt_mend mend, mt_morph *morph) {
     mt_params params = mt_params_default();
-    mt_straying by = mt_test_strays(arena, morph);
-    mt_assert_ok(mend(morph, &params, arena, &by));
-    assert_int_equal(by.parts, mt_test_strays(arena, morph).parts);
-    return by;
+    mt_mending m = {.morph = morph, .params = &params, .arena = arena, .effort = INT64_MAX};
+    mt_assert_ok(mt_mend_begin(&m));
+    mt_assert_ok(mend(&m));
+    assert_int_equal(m.by.parts, mt_test_strays(arena, morph).parts);
+    return m.by;
 }
 
 double mt_test_aside(const mt_morph *morph, int contour) {

@@ -2,7 +2,7 @@
 #ifndef MT_TEST_MOVES_H
 #define MT_TEST_MOVES_H
 
-#include "morph/census.h"
+#include "morph/mend.h"
 
 /* Ring i of A moves to ring i of B, point by point; the ends are their unions. */
 mt_morph mt_test_morph_of(mt_arena *arena, mt_ring *in_a, mt_ring *in_b, int count);
@@ -10,7 +10,7 @@ mt_morph mt_test_morph_of(mt_arena *arena, mt_ring *in_a, mt_ring *in_b, int cou
 mt_straying mt_test_strays(mt_arena *arena, const mt_morph *morph);
 
 /* Lets a stage mend the morph, and checks that it says how that strays now. */
-typedef mt_status (*mt_mend)(mt_morph *morph, const mt_params *params, mt_arena *arena, mt_straying *by);
+typedef mt_status (*mt_mend)(mt_mending *m);
 mt_straying mt_test_mend(mt_arena *arena, mt_mend mend, mt_morph *morph);
 
 /* How far a contour stands aside half-way, 1/1000 em. */
