@@ -47,7 +47,7 @@ static int set_up(void **state) {
     (void)state;
     mt_random random = mt_random_case(0);
     make_inputs(&random, 24, &few);
-    make_inputs(&random, 150, &many);
+    make_inputs(&random, 80, &many);
     return 0;
 }
 
@@ -90,7 +90,8 @@ static mt_status run_failing(run call, size_t filled, long first, bool all_after
     return status;
 }
 
-static void fail_each(run call) {
+/* Fillings are `step` bytes apart: each allocation of as many or more is the first to fail once. */
+static void fail_each(run call, size_t step) {
     bool failed = true;
     now = &many;
     for (long first = 0; failed; first++) {
@@ -99,7 +100,7 @@ static void fail_each(run call) {
     }
     now = &few;
     int failures = 0;
-    for (size_t filled = block_size(); filled > 0; filled -= 16) {
+    for (size_t filled = block_size(); filled >= step; filled -= step) {
         if (run_failing(call, filled, 0, true, &failed) == MT_OK) break;
         failures++;
     }
@@ -151,28 +152,28 @@ static mt_status morph_jointly(mt_arena *arena) {
 
 static void decomposition(void **state) {
     (void)state;
-    fail_each(decompose);
+    fail_each(decompose, 16);
 }
 
 static void unions(void **state) {
     (void)state;
-    fail_each(unite);
+    fail_each(unite, 16);
 }
 
 static void flattening(void **state) {
     (void)state;
-    fail_each(flatten);
+    fail_each(flatten, 16);
 }
 
 static void fitting(void **state) {
     (void)state;
-    fail_each(fit);
+    fail_each(fit, 16);
 }
 
 static void morphs(void **state) {
     (void)state;
-    fail_each(morph_by_paper);
-    fail_each(morph_jointly);
+    fail_each(morph_by_paper, 16);
+    fail_each(morph_jointly, 80);
 }
 
 int main(void) {
