@@ -175,7 +175,7 @@ static int compare_contours(const void *p, const void *q) {
     return x != 0 ? (x > 0) - (x < 0) : (y > 0) - (y < 0);
 }
 
-/* The order of the contours is the same whichever shape is A: the first to stand aside is (morph.c). */
+/* The order of the contours is the same whichever shape is A: that way the same one is the first to be mended (sound.c). */
 mt_status mt_joint(mt_morph *morph, const mt_terms *terms, mt_arena *arena) {
     mt_status status = join_all(morph, terms, arena);
     if (status == MT_OK)

@@ -90,8 +90,7 @@ static mt_status run_failing(run call, size_t filled, long first, bool all_after
     return status;
 }
 
-/* Fillings are `step` bytes apart: each allocation of as many or more is the first to fail once. */
-static void fail_each(run call, size_t step) {
+static void fail_each(run call) {
     bool failed = true;
     now = &many;
     for (long first = 0; failed; first++) {
@@ -100,7 +99,7 @@ static void fail_each(run call, size_t step) {
     }
     now = &few;
     int failures = 0;
-    for (size_t filled = block_size(); filled >= step; filled -= step) {
+    for (size_t filled = block_size(); filled > 0; filled -= 16) {
         if (run_failing(call, filled, 0, true, &failed) == MT_OK) break;
         failures++;
     }
@@ -152,28 +151,28 @@ static mt_status morph_jointly(mt_arena *arena) {
 
 static void decomposition(void **state) {
     (void)state;
-    fail_each(decompose, 16);
+    fail_each(decompose);
 }
 
 static void unions(void **state) {
     (void)state;
-    fail_each(unite, 16);
+    fail_each(unite);
 }
 
 static void flattening(void **state) {
     (void)state;
-    fail_each(flatten, 16);
+    fail_each(flatten);
 }
 
 static void fitting(void **state) {
     (void)state;
-    fail_each(fit, 16);
+    fail_each(fit);
 }
 
 static void morphs(void **state) {
     (void)state;
-    fail_each(morph_by_paper, 16);
-    fail_each(morph_jointly, 80);
+    fail_each(morph_by_paper);
+    fail_each(morph_jointly);
 }
 
 int main(void) {

@@ -132,7 +132,7 @@ static void a_with_itself_is_a(void **state) {
 /* By the joint method curves are fitted to both ends, each within the tolerance of the fit. */
 static void the_ends_by_the_joint_method(void **state) {
     (void)state;
-    for (int i = 0; i < mt_test_cases(20); i++) {
+    for (int i = 0; i < mt_test_cases(60); i++) {
         trial t;
         begin(&t, "the_ends_by_the_joint_method", i, 3, 30);
         t.params.method = MT_METHOD_JOINT;

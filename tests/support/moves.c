@@ -6,6 +6,12 @@
 #include "geometry/limits.h"
 #include "geometry/union.h"
 #include "support/check.h"
+#include "support/polygons.h"
+
+mt_ring mt_test_square(mt_arena *arena, int x, int y) {
+    const int points[][2] = {{x, y}, {x + 100, y}, {x + 100, y + 100}, {x, y + 100}};
+    return mt_test_ring_of(arena, points, 4, MT_EM / 1000);
+}
 
 static mt_contour contour_of(mt_arena *arena, const mt_ring *ring) {
     mt_contour contour = {ring->count, mt_arena_new(arena, (size_t)ring->count, sizeof(mt_segment))};

@@ -4,6 +4,9 @@
 
 #include "morph/mend.h"
 
+/* A square, 100/1000 em wide, whose lower left corner is at x, y thousandths of the em. */
+mt_ring mt_test_square(mt_arena *arena, int x, int y);
+
 /* Ring i of A moves to ring i of B, point by point; the ends are their unions. */
 mt_morph mt_test_morph_of(mt_arena *arena, mt_ring *in_a, mt_ring *in_b, int count);
 

@@ -1,10 +1,6 @@
 #include "morph/aside.h"
-#include "geometry/limits.h"
 #include "support/check.h"
 #include "support/moves.h"
-#include "support/polygons.h"
-
-enum { UNIT = MT_EM / 1000 };
 
 static mt_arena arena;
 
@@ -14,18 +10,12 @@ static int tear_down(void **state) {
     return 0;
 }
 
-/* 100/1000 em wide. */
-static mt_ring square(int x, int y) {
-    const int points[][2] = {{x, y}, {x + 100, y}, {x + 100, y + 100}, {x, y + 100}};
-    return mt_test_ring_of(&arena, points, 4, UNIT);
-}
-
 /* Two squares that move from places of A to places of B. */
 static mt_morph morph_of(const int (*a)[2], const int (*b)[2]) {
     mt_ring in_a[2], in_b[2];
     for (int i = 0; i < 2; i++) {
-        in_a[i] = square(a[i][0], a[i][1]);
-        in_b[i] = square(b[i][0], b[i][1]);
+        in_a[i] = mt_test_square(&arena, a[i][0], a[i][1]);
+        in_b[i] = mt_test_square(&arena, b[i][0], b[i][1]);
     }
     return mt_test_morph_of(&arena, in_a, in_b, 2);
 }

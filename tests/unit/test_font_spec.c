@@ -152,7 +152,7 @@ static void missing_files(void **state) {
     assert_int_equal(mt_spec_parse("", &spec), MT_NO_FILE);
     assert_int_equal(errno, ENOENT);
     assert_int_equal(mt_spec_parse("#0", &spec), MT_NO_FILE);
-    assert_int_equal(mt_spec_parse("mt_random_point(##", &spec), MT_NO_FILE);
+    assert_int_equal(mt_spec_parse("@@##", &spec), MT_NO_FILE);
     assert_int_equal(errno, ENOENT);
 }
 

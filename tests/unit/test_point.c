@@ -50,10 +50,6 @@ static void circle_at_the_limits(void **state) {
     }
 }
 
-static mt_point random_point(mt_random *random, int reach) {
-    return mt_random_point(random, -reach, reach);
-}
-
 /* Small reaches give points in line and on a circle; large ones fill the numbers. */
 static void agree_with_the_oracles(void **state) {
     (void)state;
@@ -63,7 +59,7 @@ static void agree_with_the_oracles(void **state) {
     for (int i = 0; i < mt_test_cases(20000); i++) {
         int reach = reaches[i % 5];
         mt_point p[4];
-        for (int k = 0; k < 4; k++) p[k] = random_point(&random, reach);
+        for (int k = 0; k < 4; k++) p[k] = mt_random_point(&random, -reach, reach);
         int circle = mt_in_circle(p[0], p[1], p[2], p[3]);
         assert_int_equal(circle, mt_oracle_in_circle(p[0], p[1], p[2], p[3]));
         assert_int_equal(circle, -mt_in_circle(p[1], p[0], p[2], p[3]));

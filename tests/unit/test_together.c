@@ -20,15 +20,10 @@ static mt_ring corner(void) {
     return mt_test_ring_of(&arena, points, 6, UNIT);
 }
 
-static mt_ring square_at(const int at[2]) {
-    int x = at[0], y = at[1];
-    const int points[][2] = {{x, y}, {x + 100, y}, {x + 100, y + 100}, {x, y + 100}};
-    return mt_test_ring_of(&arena, points, 4, UNIT);
-}
-
 /* A square that goes, on a straight way, from one arm of a corner to its other arm. */
 static mt_morph morph_of(const int from[2], const int to[2]) {
-    mt_ring in_a[] = {corner(), square_at(from)}, in_b[] = {corner(), square_at(to)};
+    mt_ring in_a[] = {corner(), mt_test_square(&arena, from[0], from[1])},
+            in_b[] = {corner(), mt_test_square(&arena, to[0], to[1])};
     return mt_test_morph_of(&arena, in_a, in_b, 2);
 }
 
