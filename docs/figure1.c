@@ -10,11 +10,11 @@
  *
  *     figure1 A B U+CODE-POINT OUT.png
  */
-#include "font/pair.h"
+#include "blend/pair.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
-#include "render/canvas.h"
-#include "render/label.h"
+#include "picture/canvas.h"
+#include "picture/label.h"
 
 #include <stdio.h>
 

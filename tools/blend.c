@@ -1,9 +1,9 @@
 /* morphotype blend: fonts between two fonts. All of them are made before the first is put in its place. */
+#include "base/memory.h"
 #include "commands.h"
-#include "font/save.h"
-#include "geometry/memory.h"
 #include "messages.h"
 #include "numbers.h"
+#include "save/save.h"
 #include "work.h"
 
 #include <stdio.h>

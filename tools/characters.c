@@ -1,7 +1,7 @@
 #include "characters.h"
 
-#include "font/utf.h"
-#include "geometry/memory.h"
+#include "base/memory.h"
+#include "base/utf.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 #include "characters_file.h"
 
-#include "font/file.h"
-#include "font/utf.h"
-#include "geometry/memory.h"
+#include "base/file.h"
+#include "base/memory.h"
+#include "base/utf.h"
 #include "messages.h"
 
 #include <ctype.h>

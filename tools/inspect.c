@@ -1,10 +1,10 @@
 /* morphotype inspect: how characters are cut and matched, as a picture or as data. */
+#include "base/file.h"
 #include "commands.h"
-#include "font/file.h"
 #include "hints_file.h"
 #include "messages.h"
-#include "render/canvas.h"
-#include "render/render.h"
+#include "picture/canvas.h"
+#include "picture/picture.h"
 #include "work.h"
 
 #include <errno.h>

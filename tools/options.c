@@ -1,11 +1,11 @@
 #include "options.h"
 
-#include "font/axis_map.h"
-#include "font/utf.h"
-#include "geometry/memory.h"
+#include "base/memory.h"
+#include "base/utf.h"
 #include "messages.h"
 #include "numbers.h"
-#include "render/render.h"
+#include "picture/picture.h"
+#include "sfnt/axis_map.h"
 
 #include <getopt.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* morphotype report: which glyphs between two fonts need a look, as a page or as data. */
 #include "commands.h"
 #include "messages.h"
-#include "render/report.h"
+#include "report/report.h"
 #include "work.h"
 
 static int check(const cli_options *options) {

@@ -1,9 +1,9 @@
 /* morphotype sheet: a grid of characters × places between two fonts. */
+#include "base/memory.h"
 #include "commands.h"
-#include "geometry/memory.h"
 #include "messages.h"
-#include "render/canvas.h"
-#include "render/render.h"
+#include "picture/canvas.h"
+#include "picture/picture.h"
 #include "work.h"
 
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* morphotype specimen: a page on which the variable font of two fonts, or more, is tried out. */
-#include "render/specimen.h"
 #include "commands.h"
 #include "messages.h"
+#include "specimen/specimen.h"
 #include "work.h"
 
 static int save(cli_work *work) {

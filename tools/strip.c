@@ -1,8 +1,8 @@
 /* morphotype strip: a text at several places between two fonts. */
 #include "commands.h"
 #include "messages.h"
-#include "render/canvas.h"
-#include "render/render.h"
+#include "picture/canvas.h"
+#include "picture/picture.h"
 #include "work.h"
 
 #define STEPS 8

@@ -1,7 +1,7 @@
 /* morphotype variable: one font that holds all between two fonts, or between more of them in a row. */
 #include "commands.h"
-#include "font/save.h"
 #include "messages.h"
+#include "save/save.h"
 #include "work.h"
 
 static int save(cli_work *work) {

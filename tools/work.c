@@ -1,8 +1,8 @@
 #include "work.h"
 
+#include "base/file.h"
+#include "base/memory.h"
 #include "characters_file.h"
-#include "font/file.h"
-#include "geometry/memory.h"
 #include "hints_file.h"
 #include "messages.h"
 

@@ -5,7 +5,7 @@
  * Each sample asks that q lie on its tangent: one equation, in which sliding along the curve costs nothing. The first and last
  * control lie on the tangents of the chain's ends. Unknown are therefore, for each master, the handles at both ends and the
  * inner controls, and the shares, which both have in common. */
-#include "chain.h"
+#include "geometry/chain.h"
 
 #include <assert.h>
 #include <math.h>

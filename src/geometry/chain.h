@@ -2,7 +2,7 @@
 #ifndef MT_CHAIN_H
 #define MT_CHAIN_H
 
-#include "spline.h"
+#include "geometry/spline.h"
 
 /* Where a chain begins or ends in one master: the place, the direction along the path there (unit length), and the length of
  * the line that goes on beyond it in that direction; 0 where the handle may have any length. */

@@ -3,12 +3,12 @@
  * and stays needed, since angles only grow; no vertex needs more than two. So one pass is enough, and with r
  * reflex vertices at most 2r diagonals stay: at most 2r + 1 pieces, one fewer for each hole.
  */
-#include "decompose.h"
+#include "geometry/decompose.h"
 
 #include <assert.h>
 #include <stdlib.h>
 
-#include "triangulate.h"
+#include "geometry/triangulate.h"
 
 typedef struct mt_faces {
     const mt_mesh *mesh;

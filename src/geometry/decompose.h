@@ -2,7 +2,7 @@
 #ifndef MT_DECOMPOSE_H
 #define MT_DECOMPOSE_H
 
-#include "ring.h"
+#include "geometry/ring.h"
 
 /* Cuts a component into convex pieces over its own vertices: constrained Delaunay triangles, merged across
  * diagonals, longest first, while the union stays convex (S. Hertel, K. Mehlhorn, "Fast triangulation of

@@ -7,10 +7,10 @@
  */
 #include <math.h>
 
-#include "limits.h"
-#include "outline.h"
-#include "spline.h"
-#include "trace.h"
+#include "geometry/limits.h"
+#include "geometry/outline.h"
+#include "geometry/spline.h"
+#include "geometry/trace.h"
 
 /* ---- 1: dents ------------------------------------------------------------------------------------------ */
 

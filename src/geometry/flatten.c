@@ -7,8 +7,8 @@
  * The points lie on the curve, rounded to the grid. */
 #include <math.h>
 
-#include "limits.h"
-#include "outline.h"
+#include "geometry/limits.h"
+#include "geometry/outline.h"
 
 typedef struct mt_vector {
     double x, y;

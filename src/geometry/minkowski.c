@@ -6,7 +6,7 @@
  * For 0 < r < 1 the corners of the sum are r·a + (1 - r)·b for the same pairs (a, b): each moves on a
  * straight line.
  */
-#include "minkowski.h"
+#include "geometry/minkowski.h"
 
 #include <math.h>
 

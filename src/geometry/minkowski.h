@@ -2,7 +2,7 @@
 #ifndef MT_MINKOWSKI_H
 #define MT_MINKOWSKI_H
 
-#include "ring.h"
+#include "geometry/ring.h"
 
 /* The paper's r and 1 - r as integers that add up to MT_WEIGHT_ONE, so that sums are exact before they are
  * rounded. */

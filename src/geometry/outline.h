@@ -3,7 +3,7 @@
 #ifndef MT_OUTLINE_H
 #define MT_OUTLINE_H
 
-#include "ring.h"
+#include "geometry/ring.h"
 
 typedef struct mt_segment {
     int degree;          /* 1, 2 or 3 */

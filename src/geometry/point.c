@@ -1,4 +1,4 @@
-#include "point.h"
+#include "geometry/point.h"
 
 /* In-circle determinant of the points relative to d:
  *

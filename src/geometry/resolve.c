@@ -1,4 +1,4 @@
-#include "union.h"
+#include "geometry/union.h"
 
 mt_status mt_outline_resolve(const mt_outline *outline, double tolerance, mt_arena *arena, mt_shape *shape,
                              bool *clean) {

@@ -1,9 +1,9 @@
-#include "ring.h"
+#include "geometry/ring.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "limits.h"
+#include "geometry/limits.h"
 
 mt_status mt_ring_new(mt_arena *arena, int count, mt_ring *ring) {
     if (count > MT_POINTS_MAX) return MT_TOO_LARGE;

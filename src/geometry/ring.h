@@ -11,9 +11,9 @@
 #ifndef MT_RING_H
 #define MT_RING_H
 
-#include "memory.h"
+#include "base/memory.h"
+#include "geometry/point.h"
 #include "morphotype.h"
-#include "point.h"
 
 /* Of a point, and of the edge that starts at it. Without the first two, the drawing is smooth here: on a
  * curve, or where one runs on into a line or another curve. Without the last two, nothing is known of the

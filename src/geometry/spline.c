@@ -8,7 +8,7 @@
  *          /   \            by less than MAX_TURN: otherwise no single quadratic joins them
  *        a       b
  */
-#include "spline.h"
+#include "geometry/spline.h"
 
 #include <assert.h>
 #include <math.h>

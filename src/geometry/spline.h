@@ -3,7 +3,7 @@
 #ifndef MT_SPLINE_H
 #define MT_SPLINE_H
 
-#include "outline.h"
+#include "geometry/outline.h"
 
 typedef struct mt_vec {
     double x, y;

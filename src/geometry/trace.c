@@ -1,8 +1,8 @@
-#include "trace.h"
+#include "geometry/trace.h"
 
 #include <math.h>
 
-#include "limits.h"
+#include "geometry/limits.h"
 
 int mt_trace_after(const mt_trace *t, int i) {
     return i + 1 == t->ring.count ? 0 : i + 1;

@@ -3,7 +3,7 @@
 #ifndef MT_TRACE_H
 #define MT_TRACE_H
 
-#include "ring.h"
+#include "geometry/ring.h"
 
 typedef struct mt_trace {
     mt_ring ring;

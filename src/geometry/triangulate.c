@@ -12,12 +12,12 @@
  * a diagonal start where the other ends; out[v] starts at v. Equal points are one vertex, the first of them
  * inserted.
  */
-#include "triangulate.h"
+#include "geometry/triangulate.h"
 
 #include <assert.h>
 #include <stdlib.h>
 
-#include "limits.h"
+#include "geometry/limits.h"
 
 typedef struct mt_edge {
     int start, twin;

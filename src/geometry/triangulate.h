@@ -2,7 +2,7 @@
 #ifndef MT_TRIANGULATE_H
 #define MT_TRIANGULATE_H
 
-#include "ring.h"
+#include "geometry/ring.h"
 
 /* Triangles as half-edges. Half-edge e starts at corner start[e]; its triangle is e / 3, the next one around
  * it is e + 1, or e - 2 at e % 3 == 2; twin[e] is the half-edge on the other side of a diagonal, or -1 on the

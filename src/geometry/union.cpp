@@ -6,7 +6,7 @@
 #include <vector>
 
 extern "C" {
-#include "union.h"
+#include "geometry/union.h"
 }
 
 using namespace ClipperLib;

@@ -2,7 +2,7 @@
 #ifndef MT_UNION_H
 #define MT_UNION_H
 
-#include "outline.h"
+#include "geometry/outline.h"
 
 /* What is ink: all that rings go around in either direction more often than in the other, as fonts are filled; or only what more
  * of them go around anticlockwise, as contours are meant whose ink lies to the left. */

@@ -1,6 +1,6 @@
 #include "layout/gdef.h"
 
-#include "layout/made.h"
+#include "layout/lookup_builder.h"
 #include "layout/ot.h"
 
 enum { HEADER = 18, OFFSETS = 5 }; /* bytes; 16-bit offsets from byte 4 on, the last since version 1.2 */

@@ -2,8 +2,8 @@
 #ifndef MT_GDEF_H
 #define MT_GDEF_H
 
-#include "font/font.h"
-#include "font/var_store.h"
+#include "sfnt/var_store.h"
+#include "source/font.h"
 
 /* Puts the store into a GDEF table of version 1.0 or 1.2 without one; into an empty table, which becomes one of nothing
  * else. A store without rows leaves the table as it is. In the arena. MT_NO_MEMORY, MT_TOO_LARGE. */

@@ -1,6 +1,6 @@
 #include "layout/layout.h"
 
-#include "font/sfnt.h"
+#include "sfnt/sfnt.h"
 
 /* More is no font: the largest have some hundred systems and lookups, each system some hundred features. */
 enum { SYSTEMS_MAX = 4096, LOOKUPS_MAX = 4096, FEATURES_MAX = 1024, ENTRIES_MAX = 65536 };

@@ -3,7 +3,7 @@
 #ifndef MT_LAYOUT_H
 #define MT_LAYOUT_H
 
-#include "geometry/memory.h"
+#include "base/memory.h"
 #include "layout/ot.h"
 
 #define MT_LANGUAGE_DEFAULT 0u /* the language of a script's default language system */

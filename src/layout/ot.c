@@ -1,7 +1,7 @@
 #include "layout/ot.h"
 
-#include "font/sfnt.h"
-#include "geometry/memory.h"
+#include "base/memory.h"
+#include "sfnt/sfnt.h"
 
 bool mt_ot_has(mt_bytes table, size_t at, size_t length) {
     return at <= table.length && length <= table.length - at;

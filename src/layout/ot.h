@@ -5,7 +5,7 @@
 #ifndef MT_OT_H
 #define MT_OT_H
 
-#include "font/font.h"
+#include "source/font.h"
 
 /* Whether `length` bytes at `at` lie within. */
 bool mt_ot_has(mt_bytes table, size_t at, size_t length);

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "font/sfnt.h"
+#include "sfnt/sfnt.h"
 
 /* ---- what a system has --------------------------------------------------------------------------------- */
 

@@ -2,8 +2,8 @@
 #ifndef MT_SYSTEMS_H
 #define MT_SYSTEMS_H
 
-#include "font/var_store.h"
-#include "layout/made.h"
+#include "layout/lookup_builder.h"
+#include "sfnt/var_store.h"
 
 /* What text of one script and language is set by: in the new font, and in each of its sources. */
 typedef struct mt_shared_system {

@@ -2,7 +2,7 @@
 #ifndef MT_VALUE_H
 #define MT_VALUE_H
 
-#include "layout/variations.h"
+#include "layout/gdef_deltas.h"
 
 /* XPlacement, YPlacement, XAdvance, YAdvance: the order of the bits of a value format. */
 enum { MT_VALUE_PARTS = 4, MT_VALUE_X_ADVANCE = 2 };

@@ -3,9 +3,9 @@
 #ifndef MT_VALUE_WRITE_H
 #define MT_VALUE_WRITE_H
 
-#include "font/table.h"
-#include "font/var_store.h"
 #include "layout/value.h"
+#include "sfnt/table.h"
+#include "sfnt/var_store.h"
 
 /* The VariationIndex tables of a subtable, each once. What fails is told at the end, by `status`. */
 typedef struct mt_variation_pool {

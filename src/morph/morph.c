@@ -1,13 +1,13 @@
-#include "morph/morph.h"
+#include "morph/model/morph.h"
 
 #include "geometry/limits.h"
 #include "geometry/union.h"
-#include "morph/masters.h"
-#include "morph/pieces.h"
-#include "morph/relax.h"
-#include "morph/rotation.h"
-#include "morph/similarity.h"
-#include "morph/sound.h"
+#include "morph/fit/contour_pair.h"
+#include "morph/paper/pieces.h"
+#include "morph/paper/relax.h"
+#include "morph/paper/rotation.h"
+#include "morph/paper/similarity.h"
+#include "morph/trials.h"
 
 /* ---- 2.2.1 mapping the connected weights --------------------------------------------------------------- */
 

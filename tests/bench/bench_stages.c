@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "bench/clock.h"
-#include "font/pair.h"
+#include "blend/pair.h"
 #include "geometry/decompose.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"

@@ -2,8 +2,8 @@
  *
  *     ufo-sample OUT.ufo     a UFO of the sample font, with references, vertical metrics and kerning
  *     ufo-sample             the file names of the glyph names on stdin, a line each */
-#include "font/ufo.h"
-#include "font/ufo_parts.h"
+#include "save/ufo.h"
+#include "save/ufo_parts.h"
 #include "support/check.h"
 #include "support/sample.h"
 

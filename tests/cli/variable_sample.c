@@ -23,9 +23,9 @@
 #include FT_MULTIPLE_MASTERS_H
 #include FT_OUTLINE_H
 
-#include "font/font.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "source/font.h"
 #include "support/check.h"
 
 enum { POINTS_MAX = 65536, CONTOURS_MAX = 8192 };

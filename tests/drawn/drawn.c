@@ -14,9 +14,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "font/pair.h"
+#include "blend/pair.h"
 #include "geometry/limits.h"
-#include "morph/masters.h"
+#include "morph/fit/contour_pair.h"
 #include "support/code_points.h"
 
 #define POINTS 1.5

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "font/pair.h"
+#include "blend/pair.h"
 #include "geometry/limits.h"
 #include "support/code_points.h"
 

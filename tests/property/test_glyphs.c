@@ -1,6 +1,6 @@
 /* The promises and theorems on real glyphs: DejaVu Sans Bold with DejaVu Serif, and wqy-zenhei with AR PL
  * UKai. */
-#include "font/pair.h"
+#include "blend/pair.h"
 #include "geometry/decompose.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"

@@ -11,7 +11,7 @@
 #include "geometry/limits.h"
 #include "geometry/triangulate.h"
 #include "geometry/union.h"
-#include "morph/morph.h"
+#include "morph/model/morph.h"
 #include "support/check.h"
 #include "support/polygons.h"
 #include "support/sums.h"

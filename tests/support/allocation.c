@@ -1,6 +1,6 @@
 #include "support/allocation.h"
 
-#include "geometry/memory.h"
+#include "base/memory.h"
 
 #include <limits.h>
 #include <stdlib.h>

@@ -3,16 +3,16 @@
 #include <hb-ot.h>
 #include <math.h>
 
-#include "font/recipe.h"
-#include "font/sfnt.h"
-#include "font/varying.h"
-#include "layout/gpos.h"
+#include "blend/metadata.h"
+#include "gpos/gpos.h"
+#include "sfnt/sfnt.h"
 #include "support/check.h"
 #include "support/fonts.h"
 #include "support/gpos.h"
 #include "support/sample.h"
 #include "support/shaping.h"
 #include "support/varying.h"
+#include "write/varying.h"
 
 /* ---- blends -------------------------------------------------------------------------------------------- */
 

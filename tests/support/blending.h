@@ -4,8 +4,8 @@
 
 #include <hb.h>
 
-#include "font/charset.h"
-#include "layout/positions.h"
+#include "glyphset/charset.h"
+#include "gpos/positions.h"
 
 /* A source: as this program opens it, and as HarfBuzz does. */
 typedef struct mt_test_end {

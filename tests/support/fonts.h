@@ -2,7 +2,7 @@
 #ifndef MT_TEST_FONTS_H
 #define MT_TEST_FONTS_H
 
-#include "font/font.h"
+#include "source/font.h"
 
 #define MT_TEST_SANS "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"
 #define MT_TEST_SERIF "/usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf"

@@ -1,6 +1,6 @@
 #include "support/gpos.h"
 
-#include "font/sfnt.h"
+#include "sfnt/sfnt.h"
 #include "support/check.h"
 
 #include <string.h>

@@ -2,8 +2,8 @@
 #ifndef MT_TEST_GPOS_H
 #define MT_TEST_GPOS_H
 
-#include "font/charset.h"
-#include "layout/made.h"
+#include "glyphset/charset.h"
+#include "layout/lookup_builder.h"
 
 /* A GDEF table of nothing but classes, one for each glyph. */
 mt_bytes mt_test_gdef(const uint16_t *classes, int count, mt_arena *arena);

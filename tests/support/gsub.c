@@ -2,9 +2,9 @@
 
 #include <string.h>
 
-#include "font/sfnt.h"
-#include "font/table.h"
-#include "layout/made.h"
+#include "layout/lookup_builder.h"
+#include "sfnt/sfnt.h"
+#include "sfnt/table.h"
 #include "support/check.h"
 #include "support/sample.h"
 

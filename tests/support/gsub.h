@@ -2,8 +2,8 @@
 #ifndef MT_TEST_GSUB_H
 #define MT_TEST_GSUB_H
 
-#include "font/write.h"
-#include "geometry/memory.h"
+#include "base/memory.h"
+#include "write/write.h"
 
 /* One lookup of one subtable, as text: a feature, a language of the script latn (NULL: the default one), and what is
  * substituted. A feature of four spaces applies nothing: contexts may call the lookup.

@@ -2,7 +2,7 @@
 #ifndef MT_TEST_MOVES_H
 #define MT_TEST_MOVES_H
 
-#include "morph/mend.h"
+#include "morph/check/mend.h"
 
 /* A square, 100/1000 em wide, whose lower left corner is at x, y thousandths of the em. */
 mt_ring mt_test_square(mt_arena *arena, int x, int y);

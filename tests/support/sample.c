@@ -1,6 +1,6 @@
 #include "support/sample.h"
 
-#include "font/sfnt.h"
+#include "sfnt/sfnt.h"
 #include "support/check.h"
 
 #include <dirent.h>

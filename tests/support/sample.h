@@ -2,8 +2,8 @@
 #ifndef MT_TEST_SAMPLE_H
 #define MT_TEST_SAMPLE_H
 
-#include "font/write.h"
-#include "geometry/memory.h"
+#include "base/memory.h"
+#include "write/write.h"
 
 /* 1000 units; .notdef, A (a triangle), o (a circle of four off-curve points only), é (two squares) and
  * U+1F600 (a glyph without contours). Everything that may be changed is in the arena. */

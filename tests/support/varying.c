@@ -2,8 +2,8 @@
 
 #include <math.h>
 
-#include "font/sfnt.h"
-#include "layout/made.h"
+#include "layout/lookup_builder.h"
+#include "sfnt/sfnt.h"
 #include "support/check.h"
 
 mt_bytes mt_test_fvar(mt_arena *arena) {

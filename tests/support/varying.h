@@ -4,8 +4,8 @@
 
 #include <hb.h>
 
-#include "font/font.h"
-#include "geometry/memory.h"
+#include "base/memory.h"
+#include "source/font.h"
 
 /* An 'fvar' of the one axis MRPH, 0 … 100, by default 0. */
 mt_bytes mt_test_fvar(mt_arena *arena);

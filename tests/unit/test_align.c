@@ -1,4 +1,4 @@
-#include "morph/align.h"
+#include "morph/align/align.h"
 #include "support/check.h"
 #include "support/corpus.h"
 #include "support/polygons.h"

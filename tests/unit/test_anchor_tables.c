@@ -1,7 +1,7 @@
 /* Anchors without any real font: subtables written and read back, small fonts blended, malformed tables. */
-#include "font/sfnt.h"
-#include "layout/anchor_write.h"
-#include "layout/gpos.h"
+#include "anchors/write.h"
+#include "gpos/gpos.h"
+#include "sfnt/sfnt.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/fonts.h"

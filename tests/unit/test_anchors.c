@@ -1,6 +1,6 @@
 /* The anchors of blends, shaped by HarfBuzz and compared with what it makes of the sources. */
-#include "font/recipe.h"
-#include "layout/positions.h"
+#include "blend/metadata.h"
+#include "gpos/positions.h"
 #include "support/check.h"
 #include "support/fonts.h"
 #include "support/gpos.h"

@@ -1,4 +1,4 @@
-#include "morph/aside.h"
+#include "morph/check/separate.h"
 #include "support/check.h"
 #include "support/moves.h"
 

@@ -1,4 +1,4 @@
-#include "morph/assign.h"
+#include "morph/align/assign.h"
 #include "support/check.h"
 #include "support/random.h"
 

@@ -1,9 +1,9 @@
 /* Maps of the axis: what is taken, and where they lead. */
-#include "font/axis_map.h"
+#include "sfnt/axis_map.h"
 
 #include <math.h>
 
-#include "font/axis.h"
+#include "sfnt/axis.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/random.h"

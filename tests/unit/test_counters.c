@@ -1,5 +1,5 @@
-#include "morph/counters.h"
 #include "geometry/limits.h"
+#include "morph/check/counters.h"
 #include "support/check.h"
 #include "support/moves.h"
 #include "support/polygons.h"

@@ -1,4 +1,4 @@
-#include "morph/cut.h"
+#include "morph/divide/cut.h"
 #include "support/check.h"
 #include "support/oracle.h"
 #include "support/polygons.h"

@@ -1,4 +1,4 @@
-#include "font/file.h"
+#include "base/file.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/sample.h"

@@ -1,4 +1,4 @@
-#include "font/folder.h"
+#include "base/folder.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/sample.h"

@@ -1,6 +1,6 @@
-#include "font/sfnt.h"
-#include "font/utf.h"
+#include "base/utf.h"
 #include "geometry/limits.h"
+#include "sfnt/sfnt.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/fonts.h"

@@ -1,4 +1,4 @@
-#include "font/spec.h"
+#include "source/spec.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/sample.h"

@@ -1,10 +1,10 @@
 /* The blend's glyphs for a text are A's: HarfBuzz shapes the same text with A and with the blend, and each glyph of the
  * one has to be that which the glyph of the other was made of. */
-#include "font/charset.h"
-#include "font/sfnt.h"
-#include "font/utf.h"
+#include "base/utf.h"
 #include "geometry/limits.h"
-#include "layout/gsub_subset.h"
+#include "glyphset/charset.h"
+#include "gsub/subset.h"
+#include "sfnt/sfnt.h"
 
 #include <hb-ot.h>
 #include <stdio.h>

@@ -1,12 +1,12 @@
 /* Substitutions read, cut down to the glyphs that are kept, and pruned; and what tables that are no such tables do. */
-#include "layout/gsub.h"
-#include "layout/gsub_subset.h"
+#include "gsub/gsub.h"
+#include "gsub/subset.h"
 
 #include <hb.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "font/sfnt.h"
+#include "sfnt/sfnt.h"
 #include "support/check.h"
 #include "support/fonts.h"
 #include "support/gsub.h"

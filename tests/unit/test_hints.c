@@ -1,6 +1,6 @@
-#include "font/hint_index.h"
+#include "base/memory.h"
 #include "geometry/limits.h"
-#include "geometry/memory.h"
+#include "hints/index.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/sample.h"

@@ -1,4 +1,4 @@
-#include "font/iup.h"
+#include "write/iup.h"
 
 #include <math.h>
 

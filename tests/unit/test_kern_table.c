@@ -1,6 +1,6 @@
 /* The old 'kern' table, with bytes made for the test. */
-#include "font/sfnt.h"
-#include "layout/kerning.h"
+#include "gpos/kerning.h"
+#include "sfnt/sfnt.h"
 #include "support/blending.h"
 #include "support/check.h"
 #include "support/sample.h"

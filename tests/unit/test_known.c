@@ -1,6 +1,6 @@
 #include "geometry/limits.h"
-#include "morph/known.h"
-#include "morph/pairing.h"
+#include "morph/align/cache.h"
+#include "morph/align/pairing.h"
 #include "support/check.h"
 #include "support/polygons.h"
 

@@ -1,7 +1,7 @@
 /* Positions with each request for memory failed in turn: MT_NO_MEMORY, and nothing is left behind. */
-#include "font/sfnt.h"
-#include "layout/kerning.h"
-#include "layout/positions.h"
+#include "gpos/kerning.h"
+#include "gpos/positions.h"
+#include "sfnt/sfnt.h"
 #include "support/allocation.h"
 #include "support/blending.h"
 #include "support/check.h"

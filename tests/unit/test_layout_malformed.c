@@ -1,10 +1,10 @@
 /* Layout tables that are cut short, or in which bytes are changed: nothing crashes, hangs or is read out of bounds (the
  * sanitizers' build sees to the last), and what is made of them can be read again. */
-#include "font/file.h"
-#include "font/sfnt.h"
-#include "layout/gpos.h"
-#include "layout/kerning.h"
-#include "layout/positions.h"
+#include "base/file.h"
+#include "gpos/gpos.h"
+#include "gpos/kerning.h"
+#include "gpos/positions.h"
+#include "sfnt/sfnt.h"
 #include "support/blending.h"
 #include "support/check.h"
 #include "support/fonts.h"

@@ -1,5 +1,5 @@
 #include "geometry/limits.h"
-#include "morph/lines.h"
+#include "morph/fit/lines.h"
 #include "support/check.h"
 
 enum { UNIT = MT_EM / 1000, SEGMENTS = 6 };

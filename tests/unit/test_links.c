@@ -1,5 +1,5 @@
-#include "morph/links.h"
 #include "geometry/decompose.h"
+#include "morph/paper/links.h"
 #include "support/check.h"
 #include "support/polygons.h"
 

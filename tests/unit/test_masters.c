@@ -1,4 +1,4 @@
-#include "morph/masters.h"
+#include "morph/fit/contour_pair.h"
 #include "support/check.h"
 #include "support/curves.h"
 #include "support/oracle.h"

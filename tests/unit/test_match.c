@@ -1,13 +1,13 @@
 /* Which glyphs are paired, and which are kept. */
-#include "font/charset.h"
-#include "font/glyph_names.h"
+#include "glyphset/charset.h"
+#include "source/glyph_names.h"
 
 #include <string.h>
 #include <time.h>
 
-#include "font/table.h"
-#include "layout/gsub_subset.h"
-#include "layout/made.h"
+#include "gsub/subset.h"
+#include "layout/lookup_builder.h"
+#include "sfnt/table.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/gsub.h"

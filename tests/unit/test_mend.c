@@ -1,7 +1,7 @@
-#include "morph/mend.h"
 #include "geometry/limits.h"
-#include "morph/homes.h"
-#include "morph/together.h"
+#include "morph/check/contour_origin.h"
+#include "morph/check/mend.h"
+#include "morph/check/reconnect.h"
 #include "support/check.h"
 #include "support/moves.h"
 

@@ -1,5 +1,5 @@
-#include "morph/morph.h"
 #include "geometry/limits.h"
+#include "morph/model/morph.h"
 #include "support/check.h"
 #include "support/corpus.h"
 #include "support/curves.h"

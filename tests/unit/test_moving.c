@@ -1,4 +1,4 @@
-#include "morph/lap.h"
+#include "morph/between/seam_overlap.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 #include "geometry/limits.h"
 #include "geometry/union.h"
-#include "morph/overlap.h"
+#include "morph/divide/extended_cuts.h"
 #include "support/check.h"
 #include "support/polygons.h"
 

@@ -1,5 +1,5 @@
 /* Pair adjustment of fonts made for the test: many classes, several subtables, one font that kerns. */
-#include "font/sfnt.h"
+#include "sfnt/sfnt.h"
 #include "support/blending.h"
 #include "support/check.h"
 #include "support/sample.h"

@@ -1,5 +1,5 @@
 #include "geometry/limits.h"
-#include "morph/pairing.h"
+#include "morph/align/pairing.h"
 #include "support/check.h"
 #include "support/polygons.h"
 

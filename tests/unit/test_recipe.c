@@ -1,7 +1,7 @@
-#include "font/recipe.h"
-#include "font/panose.h"
-#include "font/reserved.h"
-#include "font/review.h"
+#include "blend/metadata.h"
+#include "blend/review.h"
+#include "source/panose.h"
+#include "source/reserved.h"
 #include "support/check.h"
 #include "support/sample.h"
 

@@ -1,5 +1,5 @@
 #include "geometry/limits.h"
-#include "morph/reconcile.h"
+#include "morph/divide/reconcile.h"
 #include "support/check.h"
 #include "support/corpus.h"
 #include "support/oracle.h"

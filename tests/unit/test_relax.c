@@ -1,4 +1,4 @@
-#include "morph/relax.h"
+#include "morph/paper/relax.h"
 #include "support/check.h"
 #include "support/random.h"
 

@@ -1,5 +1,5 @@
-#include "render/report.h"
 #include "geometry/limits.h"
+#include "report/report.h"
 #include "support/check.h"
 #include "support/polygons.h"
 

@@ -1,4 +1,4 @@
-#include "morph/rotation.h"
+#include "morph/paper/rotation.h"
 #include "support/check.h"
 #include "support/corpus.h"
 #include "support/oracle.h"

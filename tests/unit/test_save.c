@@ -1,4 +1,4 @@
-#include "font/save.h"
+#include "save/save.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/fonts.h"
@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "font/folder.h"
+#include "base/folder.h"
 
 static mt_arena arena;
 static char *directory;

@@ -1,4 +1,4 @@
-#include "morph/similarity.h"
+#include "morph/paper/similarity.h"
 #include "support/check.h"
 #include "support/corpus.h"
 #include "support/polygons.h"

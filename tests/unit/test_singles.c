@@ -1,6 +1,6 @@
 /* Single adjustment of fonts made for the test: mixed where both have the feature, A's own where only A has. */
-#include "font/sfnt.h"
 #include "layout/value.h"
+#include "sfnt/sfnt.h"
 #include "support/blending.h"
 #include "support/check.h"
 #include "support/sample.h"

@@ -1,5 +1,5 @@
 #include "geometry/limits.h"
-#include "morph/smooth.h"
+#include "morph/fit/smooth.h"
 #include "support/check.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-#include "morph/together.h"
 #include "geometry/limits.h"
+#include "morph/check/reconnect.h"
 #include "support/check.h"
 #include "support/moves.h"
 #include "support/polygons.h"

@@ -1,10 +1,10 @@
 /* ItemVariationStores and DeltaSetIndexMaps that are written, against what mt_variations reads of them. */
-#include "font/var_store.h"
+#include "sfnt/var_store.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "layout/variations.h"
+#include "layout/gdef_deltas.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/random.h"

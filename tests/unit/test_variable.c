@@ -4,9 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "font/axis.h"
-#include "font/folder.h"
-#include "font/save.h"
+#include "base/folder.h"
+#include "save/save.h"
+#include "sfnt/axis.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/fonts.h"

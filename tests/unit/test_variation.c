@@ -6,11 +6,11 @@
 #include FT_FREETYPE_H
 #include FT_MULTIPLE_MASTERS_H
 
-#include "font/axis.h"
-#include "font/extent.h"
+#include "sfnt/axis.h"
 #include "support/check.h"
 #include "support/random.h"
 #include "support/sample.h"
+#include "write/extent.h"
 
 enum { PLACES_MAX = 5, GLYPHS = 5 };
 

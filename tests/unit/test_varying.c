@@ -1,13 +1,13 @@
 /* HVAR, VVAR and MVAR as HarfBuzz and FreeType read them. */
-#include "font/varying.h"
+#include "write/varying.h"
 
 #include <hb-ot.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "font/sfnt.h"
 #include "geometry/limits.h"
+#include "sfnt/sfnt.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/random.h"

@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "font/recipe.h"
-#include "font/sfnt.h"
+#include "blend/metadata.h"
+#include "gpos/positions.h"
 #include "layout/gdef.h"
-#include "layout/positions.h"
+#include "sfnt/sfnt.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/fonts.h"

@@ -4,12 +4,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "font/sfnt.h"
-#include "layout/anchor_write.h"
-#include "layout/feature_jobs.h"
+#include "anchors/write.h"
+#include "gpos/singles.h"
+#include "kerning/write.h"
 #include "layout/gdef.h"
-#include "layout/pair_write.h"
-#include "layout/singles.h"
+#include "layout/lookup_groups.h"
+#include "sfnt/sfnt.h"
 #include "support/blending.h"
 #include "support/check.h"
 #include "support/gpos.h"

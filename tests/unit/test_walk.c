@@ -1,5 +1,5 @@
 #include "geometry/limits.h"
-#include "morph/walk.h"
+#include "morph/divide/ring_matching.h"
 #include "support/check.h"
 #include "support/corpus.h"
 #include "support/polygons.h"

@@ -1,4 +1,4 @@
-#include "font/workers.h"
+#include "base/workers.h"
 #include "support/check.h"
 
 #include <stdatomic.h>

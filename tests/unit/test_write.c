@@ -1,12 +1,12 @@
-#include "font/extent.h"
-#include "font/max_context.h"
-#include "font/sfnt.h"
-#include "font/table.h"
 #include "geometry/limits.h"
+#include "sfnt/sfnt.h"
+#include "sfnt/table.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/random.h"
 #include "support/sample.h"
+#include "write/extent.h"
+#include "write/max_context.h"
 
 #include <limits.h>
 #include <math.h>

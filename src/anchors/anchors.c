@@ -1,0 +1,142 @@
+/* The anchors of all fonts, lookup by lookup of A's. */
+#include "anchors/subtable.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the job ------------------------------------------------------------------------------------------- */
+
+enum { GLYPH_NUMBERS = 65536 };
+
+/* Lists the new glyphs by A's. */
+static mt_status index_glyphs(mt_anchor_job *job) {
+    int count = job->glyphs->glyph_count;
+    const uint32_t *in_a = job->glyphs->of[0];
+    job->first = mt_arena_new(job->arena, GLYPH_NUMBERS + 1, sizeof *job->first);
+    job->new_of_a = mt_arena_new(job->arena, (size_t)count, sizeof *job->new_of_a);
+    uint32_t *next = mt_arena_new(&job->scratch, GLYPH_NUMBERS, sizeof *next);
+    if (!job->first || !job->new_of_a || !next) return MT_NO_MEMORY;
+    for (int i = 0; i < count; i++)
+        if (in_a[i] < GLYPH_NUMBERS) job->first[in_a[i] + 1]++;
+    for (int i = 0; i < GLYPH_NUMBERS; i++) {
+        next[i] = job->first[i];
+        job->first[i + 1] += job->first[i];
+    }
+    for (int i = 0; i < count; i++)
+        if (in_a[i] < GLYPH_NUMBERS) job->new_of_a[next[in_a[i]]++] = (uint16_t)i;
+    return MT_OK;
+}
+
+bool mt_anchor_spend(mt_anchor_job *job, int64_t steps) {
+    job->steps = job->steps < steps ? 0 : job->steps - steps;
+    return job->steps > 0;
+}
+
+static int by_glyph(const void *p, const void *q) {
+    const mt_entry *x = p, *y = q;
+    return x->glyph - y->glyph;
+}
+
+mt_status mt_anchor_entries(mt_anchor_job *job, mt_bytes coverage, mt_entry **entries, int *count) {
+    mt_covered *covered;
+    int covered_count, all = 0, filled = 0;
+    mt_status status = mt_coverage_list(coverage, &job->scratch, &covered, &covered_count);
+    if (status != MT_OK) return status;
+    for (int i = 0; i < covered_count; i++)
+        all += (int)(job->first[covered[i].glyph + 1] - job->first[covered[i].glyph]);
+    if (!mt_anchor_spend(job, (int64_t)covered_count + all)) all = 0;
+    mt_entry *made = mt_arena_new(&job->scratch, (size_t)all + 1, sizeof *made);
+    if (!made) return MT_NO_MEMORY;
+    for (int i = 0; i < covered_count && filled < all; i++)
+        for (uint32_t j = job->first[covered[i].glyph]; j < job->first[covered[i].glyph + 1]; j++)
+            made[filled++] = (mt_entry){job->new_of_a[j], covered[i].index};
+    qsort(made, (size_t)filled, sizeof *made, by_glyph);
+    *entries = made;
+    *count = filled;
+    return MT_OK;
+}
+
+mt_anchor mt_anchor_new(mt_anchor_job *job, mt_anchor from, int known, mt_arena *arena) {
+    mt_anchor made = {mt_arena_new(arena, (size_t)job->glyphs->font_count, sizeof *made.in_fonts)};
+    if (made.in_fonts && known) memcpy(made.in_fonts, from.in_fonts, (size_t)known * sizeof *made.in_fonts);
+    return made;
+}
+
+mt_anchor_point mt_anchor_scaled(const mt_anchor_job *job, int font, mt_anchor_point point) {
+    return (mt_anchor_point){job->scales[font] * point.x, job->scales[font] * point.y};
+}
+
+mt_status mt_anchor_move(mt_anchor_job *job, int font, int glyph, mt_anchor anchor) {
+    return mt_outline_move(&job->moves[font], glyph, anchor.in_fonts[0], &anchor.in_fonts[font]);
+}
+
+/* ---- lookups ------------------------------------------------------------------------------------------- */
+
+/* A's lookup as it goes into the new font; one that is in no feature has nothing. */
+static mt_status blend_lookup(mt_anchor_job *job, int order, const mt_lookup *in_a, mt_anchor_lookup *made) {
+    mt_member *members;
+    mt_rivals rivals[MT_STOPS_MAX] = {0};
+    made->head =
+        (mt_made_lookup){.order = order, .type = in_a->type, .flag = in_a->flag, .mark_set = in_a->mark_set};
+    mt_status status =
+        mt_members_of(job->sources[0].layout, order, job->arena, &members, &made->head.member_count);
+    if (status != MT_OK || made->head.member_count == 0) return status;
+    made->head.members = members;
+    mt_arena_reset(&job->scratch);
+    status = mt_systems_spread(job->systems, job->arena, &made->head);
+    for (int k = 1; k < job->glyphs->font_count && status == MT_OK; k++)
+        status = mt_rivals_find(job, k, &made->head, &rivals[k]);
+    mt_arena_place place = mt_arena_mark(&job->scratch);
+    for (int i = 0; i < in_a->subtable_count && status == MT_OK && mt_anchor_spend(job, 1); i++) {
+        mt_bytes subtable = mt_lookup_subtable(in_a, i);
+        if (in_a->type == MT_CURSIVE)
+            status = mt_cursive_blend(job, subtable, rivals, made);
+        else
+            status = mt_attachment_blend(job, subtable, rivals, made);
+        mt_arena_rewind(&job->scratch, place);
+    }
+    return status;
+}
+
+static mt_status blend_lookups(mt_anchor_job *job, mt_anchors *anchors) {
+    const mt_layout *layout = job->sources[0].layout;
+    int lookup_count = layout->lookup_count;
+    anchors->lookups = mt_arena_new(job->arena, (size_t)lookup_count + 1, sizeof *anchors->lookups);
+    if (!anchors->lookups) return MT_NO_MEMORY;
+    for (int i = 0; i < lookup_count; i++) {
+        mt_lookup in_a = mt_layout_lookup(layout, i);
+        mt_anchor_lookup made = {0};
+        if (in_a.type < MT_CURSIVE || in_a.type > MT_MARK_TO_MARK || !mt_anchor_spend(job, 1)) continue;
+        mt_status status = blend_lookup(job, i, &in_a, &made);
+        if (status != MT_OK) return status;
+        if (made.attachment_count || made.cursive_count) anchors->lookups[anchors->count++] = made;
+    }
+    return MT_OK;
+}
+
+static mt_status open_moves(mt_anchor_job *job, int units) {
+    mt_status status = MT_OK;
+    for (int k = 1; k < job->glyphs->font_count && status == MT_OK; k++)
+        status = mt_outline_moves_open(job->sources[0].font, job->sources[k].font, job->glyphs, k, units,
+                                       job->arena, &job->moves[k]);
+    return status;
+}
+
+mt_status mt_anchors_prepare(const mt_anchor_source *sources, const mt_systems *systems,
+                             const mt_font_glyphs *glyphs, int units, mt_arena *arena, mt_anchors *anchors) {
+    mt_anchor_job job = {.sources = sources,
+                         .systems = systems,
+                         .glyphs = glyphs,
+                         .arena = arena,
+                         .steps = MT_ANCHOR_STEPS_MAX};
+    mt_anchors made = {0};
+    for (int k = 0; k < glyphs->font_count; k++)
+        job.scales[k] = (double)units / mt_font_units(sources[k].font);
+    mt_status status = index_glyphs(&job);
+    if (status == MT_OK) status = open_moves(&job, units);
+    if (status == MT_OK) status = blend_lookups(&job, &made);
+    mt_arena_release(&job.scratch);
+    for (int k = 1; k < glyphs->font_count; k++) mt_arena_release(&job.moves[k].scratch);
+    if (status == MT_OK) *anchors = made;
+    return status;
+}

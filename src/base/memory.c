@@ -1,0 +1,122 @@
+#include "base/memory.h"
+
+#include <stdalign.h>
+#include <stdatomic.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the allocator ----------------------------------------------------------------------------------------
+ */
+
+static void *system_resize(void *memory, size_t size) {
+    if (size) return realloc(memory, size);
+    free(memory);
+    return NULL;
+}
+
+/* The only state that outlives a call: which allocator is underneath. Tests set it before anything else runs.
+ */
+static _Atomic(mt_resize) resize = system_resize;
+
+void mt_memory_replace(mt_resize replacement) {
+    atomic_store(&resize, replacement ? replacement : system_resize);
+}
+
+void *mt_grow(void *memory, size_t count, size_t size) {
+    if (size && count > PTRDIFF_MAX / size) return NULL;
+    size_t bytes = count * size;
+    return atomic_load(&resize)(memory, bytes ? bytes : 1);
+}
+
+void *mt_new(size_t count, size_t size) {
+    void *memory = mt_grow(NULL, count, size);
+    if (memory) memset(memory, 0, count * size);
+    return memory;
+}
+
+void mt_free(void *memory) {
+    if (memory) atomic_load (&resize)(memory, 0);
+}
+
+char *mt_copy_text(const char *text) {
+    size_t length = strlen(text) + 1;
+    char *copy = mt_new(length, 1);
+    return copy ? memcpy(copy, text, length) : NULL;
+}
+
+/* ---- arenas -----------------------------------------------------------------------------------------------
+ */
+
+struct mt_block {
+    mt_block *next;
+    size_t size, used; /* of the bytes after the header */
+    alignas(max_align_t) unsigned char bytes[];
+};
+
+enum { BLOCK_MIN = 1 << 16, BLOCK_DOUBLED_MOST = 1 << 24 };
+
+static void *take(mt_block *block, size_t size) {
+    if (!block || block->size - block->used < size) return NULL;
+    void *memory = block->bytes + block->used;
+    block->used += size;
+    return memset(memory, 0, size);
+}
+
+/* Of the blocks after the current one the first that is large enough, emptied, and put next. */
+static mt_block *find_block(mt_block **next, size_t size) {
+    mt_block **at = next;
+    while (*at && (*at)->size < size) at = &(*at)->next;
+    mt_block *found = *at;
+    if (!found) return NULL;
+    *at = found->next;
+    found->next = *next;
+    found->used = 0;
+    return *next = found;
+}
+
+static mt_block *next_block(mt_arena *arena, size_t size) {
+    mt_block **next = arena->current ? &arena->current->next : &arena->first;
+    mt_block *block = find_block(next, size);
+    if (block) return block;
+    size_t doubled = arena->current ? 2 * arena->current->size : BLOCK_MIN;
+    if (doubled > BLOCK_DOUBLED_MOST) doubled = BLOCK_DOUBLED_MOST;
+    size_t room = size > doubled ? size : doubled;
+    if (room > PTRDIFF_MAX - sizeof(mt_block)) return NULL;
+    block = mt_new(1, sizeof(mt_block) + room);
+    if (!block) return NULL;
+    *block = (mt_block){.next = *next, .size = room};
+    return *next = block;
+}
+
+void *mt_arena_new(mt_arena *arena, size_t count, size_t size) {
+    if (size && count > (PTRDIFF_MAX - alignof(max_align_t)) / size) return NULL;
+    size_t bytes = (count * size + alignof(max_align_t) - 1) / alignof(max_align_t) * alignof(max_align_t);
+    void *memory = take(arena->current, bytes);
+    if (memory) return memory;
+    mt_block *block = next_block(arena, bytes);
+    if (!block) return NULL;
+    arena->current = block;
+    return take(block, bytes);
+}
+
+void mt_arena_reset(mt_arena *arena) {
+    arena->current = NULL;
+}
+
+void mt_arena_release(mt_arena *arena) {
+    for (mt_block *block = arena->first, *next; block; block = next) {
+        next = block->next;
+        mt_free(block);
+    }
+    *arena = (mt_arena){0};
+}
+
+mt_arena_place mt_arena_mark(const mt_arena *arena) {
+    return (mt_arena_place){arena->current, arena->current ? arena->current->used : 0};
+}
+
+void mt_arena_rewind(mt_arena *arena, mt_arena_place place) {
+    arena->current = place.block;
+    if (place.block) place.block->used = place.used;
+}

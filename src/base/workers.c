@@ -1,0 +1,61 @@
+#include "base/workers.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <unistd.h>
+
+#define THREADS_MAX 256
+#define PROGRESS_STEP 16 /* numbers between two calls of the progress */
+
+typedef struct mt_crew {
+    const mt_work *work;
+    atomic_int next, done;
+    atomic_int status; /* the first that stops everything */
+    pthread_mutex_t progress;
+} mt_crew;
+
+static void report_progress(mt_crew *crew) {
+    const mt_work *work = crew->work;
+    int done = atomic_fetch_add(&crew->done, 1) + 1;
+    if (!work->progress || (done % PROGRESS_STEP != 0 && done != work->count)) return;
+    pthread_mutex_lock(&crew->progress);
+    work->progress(done, work->count, work->progress_user);
+    pthread_mutex_unlock(&crew->progress);
+}
+
+static void *take_part(void *argument) {
+    mt_crew *crew = argument;
+    mt_arena scratch = {0};
+    for (;;) {
+        int index = atomic_fetch_add(&crew->next, 1);
+        if (index >= crew->work->count || atomic_load(&crew->status) != MT_OK) break;
+        mt_status status = crew->work->task(index, &scratch, crew->work->user);
+        mt_arena_reset(&scratch);
+        if (status != MT_OK)
+            atomic_store(&crew->status, (int)status);
+        else
+            report_progress(crew);
+    }
+    mt_arena_release(&scratch);
+    return NULL;
+}
+
+static int thread_count(const mt_work *work) {
+    long cores = work->threads ? work->threads : sysconf(_SC_NPROCESSORS_ONLN);
+    long most = cores < 1 ? 1 : cores > THREADS_MAX ? THREADS_MAX : cores;
+    return (int)(most < work->count ? most : work->count);
+}
+
+mt_status mt_work_run(const mt_work *work) {
+    pthread_t threads[THREADS_MAX];
+    bool started[THREADS_MAX] = {false};
+    mt_crew crew = {.work = work};
+    int count = thread_count(work);
+    pthread_mutex_init(&crew.progress, NULL);
+    for (int i = 1; i < count; i++) started[i] = pthread_create(&threads[i], NULL, take_part, &crew) == 0;
+    take_part(&crew);
+    for (int i = 1; i < count; i++)
+        if (started[i]) pthread_join(threads[i], NULL);
+    pthread_mutex_destroy(&crew.progress);
+    return (mt_status)atomic_load(&crew.status);
+}

@@ -1,0 +1,128 @@
+/* Whether the parts of a composite overlap. Regions of ink that meet are one region of their union: so the union of all
+ * parts has fewer components than the parts have by themselves. Where no two boxes meet nothing is drawn. */
+#include "blend/assemble.h"
+
+#include <math.h>
+
+#include "geometry/limits.h"
+#include "geometry/union.h"
+
+typedef struct mt_drawer {
+    const mt_assembly *font;
+    mt_outline outline;
+    mt_segment *segments; /* the next free ones */
+} mt_drawer;
+
+/* ---- boxes --------------------------------------------------------------------------------------------- */
+
+static mt_bounds moved_bounds(const mt_glyf_reference *reference, const mt_assembly *font) {
+    mt_bounds b = font->extents[reference->glyph].bounds;
+    int dx = reference->dx, dy = reference->dy;
+    return (mt_bounds){b.x_min + dx, b.y_min + dy, b.x_max + dx, b.y_max + dy};
+}
+
+static bool bounds_meet(mt_bounds a, mt_bounds b) {
+    return a.x_min <= b.x_max && b.x_min <= a.x_max && a.y_min <= b.y_max && b.y_min <= a.y_max;
+}
+
+static bool boxes_meet(const mt_glyf *composite, const mt_assembly *font) {
+    for (int i = 0; i < composite->reference_count; i++)
+        for (int k = 0; k < i; k++) {
+            const mt_glyf_reference *a = &composite->references[i], *b = &composite->references[k];
+            if (bounds_meet(moved_bounds(a, font), moved_bounds(b, font))) return true;
+        }
+    return false;
+}
+
+/* ---- a glyph as an outline ----------------------------------------------------------------------------- */
+
+typedef struct mt_location {
+    double x, y; /* font units */
+} mt_location;
+
+static mt_point on_grid(const mt_drawer *drawer, mt_location place) {
+    double scale = (double)MT_EM / drawer->font->units;
+    return (mt_point){(int32_t)floor(place.x * scale + 0.5), (int32_t)floor(place.y * scale + 0.5)};
+}
+
+/* Where the curve is next to an off-curve point: on the neighbour, or midway to it. */
+static mt_location between(const mt_glyf_point *p, const mt_glyf_point *neighbour, mt_location offset) {
+    double x = neighbour->on ? neighbour->x : (p->x + neighbour->x) / 2.0;
+    double y = neighbour->on ? neighbour->y : (p->y + neighbour->y) / 2.0;
+    return (mt_location){x + offset.x, y + offset.y};
+}
+
+/* The lines and curves that end after each point of a contour, from the first point on. */
+static void draw_contour(mt_drawer *drawer, const mt_glyf_point *points, int count, mt_location offset) {
+    mt_contour *contour = &drawer->outline.contours[drawer->outline.count++];
+    contour->segments = drawer->segments;
+    for (int i = 0; i < count; i++) {
+        const mt_glyf_point *p = &points[i], *before = &points[(i + count - 1) % count];
+        mt_location at = {p->x + offset.x, p->y + offset.y};
+        mt_segment segment = {.degree = 1, .end = on_grid(drawer, at)};
+        if (p->on && !before->on) continue; /* the curve before ends here */
+        if (!p->on) {
+            segment.degree = 2;
+            segment.control[0] = segment.end;
+            segment.end = on_grid(drawer, between(p, &points[(i + 1) % count], offset));
+        }
+        contour->segments[contour->count++] = segment;
+    }
+    drawer->segments += contour->count;
+}
+
+/* Blank parts are passed over, so that no more steps are taken than there are points. */
+static void draw_glyph(mt_drawer *drawer, uint16_t index, mt_location offset) {
+    const mt_glyf *glyph = &drawer->font->glyphs[index];
+    if (drawer->font->extents[index].points == 0) return;
+    for (int i = 0, start = 0; i < glyph->contour_count; start = glyph->ends[i++] + 1)
+        draw_contour(drawer, glyph->points + start, glyph->ends[i] + 1 - start, offset);
+    for (int i = 0; i < glyph->reference_count; i++) {
+        const mt_glyf_reference *part = &glyph->references[i];
+        draw_glyph(drawer, part->glyph, (mt_location){offset.x + part->dx, offset.y + part->dy});
+    }
+}
+
+/* ---- regions ------------------------------------------------------------------------------------------- */
+
+static mt_status count_regions(const mt_drawer *drawer, const mt_outline *outline, mt_arena *scratch,
+                               int *count) {
+    mt_rings rings;
+    mt_shape shape;
+    double tolerance = mt_grid_units(drawer->font->tolerance) / MT_OVERLAP_CARE;
+    mt_status status = mt_flatten(outline, tolerance, scratch, &rings);
+    if (status == MT_OK) status = mt_union(&rings, MT_NONZERO, scratch, &shape);
+    if (status == MT_OK) *count = shape.count;
+    return status;
+}
+
+static mt_status start_drawing(mt_drawer *drawer, const mt_glyf *composite, mt_arena *scratch) {
+    int points = 0, contours = 0;
+    for (int i = 0; i < composite->reference_count; i++) {
+        points += drawer->font->extents[composite->references[i].glyph].points;
+        contours += drawer->font->extents[composite->references[i].glyph].contours;
+    }
+    drawer->outline.contours = mt_arena_new(scratch, (size_t)contours, sizeof(mt_contour));
+    drawer->segments = mt_arena_new(scratch, (size_t)points, sizeof(mt_segment));
+    return drawer->outline.contours && drawer->segments ? MT_OK : MT_NO_MEMORY;
+}
+
+mt_status mt_parts_overlap(const mt_glyf *composite, const mt_assembly *font, mt_arena *scratch,
+                           bool *overlap) {
+    mt_drawer drawer = {.font = font};
+    int apart = 0, together = 0;
+    *overlap = false;
+    if (!boxes_meet(composite, font)) return MT_OK;
+    mt_status status = start_drawing(&drawer, composite, scratch);
+    for (int i = 0; i < composite->reference_count && status == MT_OK; i++) {
+        const mt_glyf_reference *part = &composite->references[i];
+        int first = drawer.outline.count, regions = 0;
+        draw_glyph(&drawer, part->glyph, (mt_location){part->dx, part->dy});
+        mt_outline drawn = {drawer.outline.count - first, drawer.outline.contours + first};
+        status = count_regions(&drawer, &drawn, scratch, &regions);
+        apart += regions;
+    }
+    if (status == MT_OK) status = count_regions(&drawer, &drawer.outline, scratch, &together);
+    if (status == MT_OK) *overlap = together < apart;
+    return status;
+}

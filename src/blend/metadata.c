@@ -1,0 +1,112 @@
+#include "blend/metadata.h"
+
+#include "source/panose.h"
+
+#include <stdlib.h>
+
+int mt_recipe_units(const mt_font *a, const mt_font *b) {
+    int units = mt_font_units(a) > mt_font_units(b) ? mt_font_units(a) : mt_font_units(b);
+    bool power_of_two = (units & (units - 1)) == 0;
+    while (units < (power_of_two ? 2048 : 1000)) units *= 2;
+    return units;
+}
+
+/* ---- metrics ------------------------------------------------------------------------------------------- */
+
+/* (1 - t)·a + t·b, each given in its own font's units, in those of the new font. */
+typedef struct mt_scale {
+    double a, b;
+} mt_scale;
+
+static double mixed(mt_scale scale, double a, double b) {
+    return scale.a * a + scale.b * b;
+}
+
+/* Where only one font has its typographic lines used, the other's are hhea's, and the blend's are used: lines are then as
+ * far apart as something between the two fonts' own. The ends do as their fonts do. */
+static void settle_lines(mt_metrics *a, mt_metrics *b, double t) {
+    if (a->use_typo_metrics == b->use_typo_metrics || t <= 0 || t >= 1) return;
+    mt_metrics *other = a->use_typo_metrics ? b : a;
+    other->typo_ascender = other->hhea_ascender;
+    other->typo_descender = other->hhea_descender;
+    other->typo_line_gap = other->hhea_line_gap;
+    other->use_typo_metrics = true;
+}
+
+static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale s, double t) {
+    mt_scale plain = {1 - t, t}; /* for what is not measured in font units */
+    mt_metrics mix = {
+        .hhea_ascender = mixed(s, a->hhea_ascender, b->hhea_ascender),
+        .hhea_descender = mixed(s, a->hhea_descender, b->hhea_descender),
+        .hhea_line_gap = mixed(s, a->hhea_line_gap, b->hhea_line_gap),
+        .typo_ascender = mixed(s, a->typo_ascender, b->typo_ascender),
+        .typo_descender = mixed(s, a->typo_descender, b->typo_descender),
+        .typo_line_gap = mixed(s, a->typo_line_gap, b->typo_line_gap),
+        .win_ascent = mixed(s, a->win_ascent, b->win_ascent),
+        .win_descent = mixed(s, a->win_descent, b->win_descent),
+        .x_height = mixed(s, a->x_height, b->x_height),
+        .cap_height = mixed(s, a->cap_height, b->cap_height),
+        .underline_position = mixed(s, a->underline_position, b->underline_position),
+        .underline_thickness = mixed(s, a->underline_thickness, b->underline_thickness),
+        .strikeout_position = mixed(s, a->strikeout_position, b->strikeout_position),
+        .strikeout_size = mixed(s, a->strikeout_size, b->strikeout_size),
+        .subscript_size = {mixed(s, a->subscript_size[0], b->subscript_size[0]),
+                           mixed(s, a->subscript_size[1], b->subscript_size[1])},
+        .subscript_offset = {mixed(s, a->subscript_offset[0], b->subscript_offset[0]),
+                             mixed(s, a->subscript_offset[1], b->subscript_offset[1])},
+        .superscript_size = {mixed(s, a->superscript_size[0], b->superscript_size[0]),
+                             mixed(s, a->superscript_size[1], b->superscript_size[1])},
+        .superscript_offset = {mixed(s, a->superscript_offset[0], b->superscript_offset[0]),
+                               mixed(s, a->superscript_offset[1], b->superscript_offset[1])},
+        .italic_angle = mixed(plain, a->italic_angle, b->italic_angle),
+        .weight_class = mixed(plain, a->weight_class, b->weight_class),
+        .width_class = mixed(plain, a->width_class, b->width_class),
+        .caret_offset = mixed(s, a->caret_offset, b->caret_offset),
+        .vhea_ascender = mixed(s, a->vhea_ascender, b->vhea_ascender),
+        .vhea_descender = mixed(s, a->vhea_descender, b->vhea_descender),
+        .vhea_line_gap = mixed(s, a->vhea_line_gap, b->vhea_line_gap),
+        .family_class = a->family_class == b->family_class ? a->family_class : 0,
+        .monospaced = (a->monospaced || t >= 1) && (b->monospaced || t <= 0),
+        .use_typo_metrics = t < 1 ? a->use_typo_metrics : b->use_typo_metrics,
+        .vertical = a->vertical || b->vertical,
+    };
+    mt_panose_mix(a->panose, b->panose, t, mix.panose);
+    return mix;
+}
+
+/* ---- dates and rights ---------------------------------------------------------------------------------- */
+
+/* Seconds since 1904: SOURCE_DATE_EPOCH (seconds since 1970) when it is set, else the newer of the sources'
+ * own dates. */
+static int64_t date_of(const mt_font *a, const mt_font *b) {
+    const char *epoch = getenv("SOURCE_DATE_EPOCH");
+    char *end;
+    long long seconds = epoch ? strtoll(epoch, &end, 10) : 0;
+    if (epoch && end != epoch && *end == '\0' && seconds >= 0 && seconds < INT32_MAX)
+        return seconds + 2082844800;
+    int64_t in_a = mt_font_modified(a), in_b = mt_font_modified(b);
+    return in_a > in_b ? in_a : in_b;
+}
+
+/* OS/2 fsType, bits 0 to 3: 2 restricted, 4 preview and print, 8 editable, 0 installable. The stricter of the
+ * two holds, and so do both fonts' bits 8 (no subsetting) and 9 (bitmap embedding only). */
+static uint16_t stricter(uint16_t a, uint16_t b) {
+    static const uint16_t by_strictness[] = {2, 4, 8};
+    uint16_t further = (a | b) & 0x300;
+    for (int i = 0; i < 3; i++)
+        if ((a | b) & by_strictness[i]) return by_strictness[i] | further;
+    return further;
+}
+
+mt_status mt_recipe_fill(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
+                         mt_font_data *data) {
+    mt_metrics in_a, in_b;
+    mt_font_metrics(a, &in_a);
+    mt_font_metrics(b, &in_b);
+    mt_scale scale = {(1 - t) * data->units / mt_font_units(a), t * data->units / mt_font_units(b)};
+    settle_lines(&in_a, &in_b, t);
+    data->metrics = mix_metrics(&in_a, &in_b, scale, t);
+    data->created = data->modified = date_of(a, b);
+    data->embedding = stricter(mt_font_embedding(a), mt_font_embedding(b));
+    return mt_recipe_names(a, b, t, family, arena, data);
+}

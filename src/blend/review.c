@@ -1,0 +1,152 @@
+#include "blend/review.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "sfnt/sfnt.h"
+#include "source/reserved.h"
+
+typedef struct mt_reviewer {
+    const char *family;
+    mt_warning call;
+    void *user;
+} mt_reviewer;
+
+/* ---- lines --------------------------------------------------------------------------------------------- */
+
+typedef struct mt_line {
+    char text[1024];
+    size_t length;
+} mt_line;
+
+/* As printf, at the end of the line; what does not fit is cut off. */
+static void add(mt_line *line, const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    vsnprintf(line->text + line->length, sizeof line->text - line->length, format, list);
+    line->length += strlen(line->text + line->length);
+    va_end(list);
+}
+
+static void say(const mt_reviewer *reviewer, const mt_line *line) {
+    reviewer->call(line->text, reviewer->user);
+}
+
+/* ---- rights -------------------------------------------------------------------------------------------- */
+
+/* The bits of OS/2 fsType that a blend has to mind (OpenType spec, "OS/2": fsType). */
+static void review_embedding(const mt_reviewer *reviewer, const mt_font *font) {
+    static const struct {
+        unsigned bit;
+        const char *meaning;
+    } restrictions[] = {
+        {2, "restricted: not to be embedded or changed without its owner's permission"},
+        {4, "preview and print embedding only"},
+        {0x100, "no subsetting"},
+        {0x200, "bitmap embedding only"},
+    };
+    mt_line line = {0};
+    unsigned embedding = mt_font_embedding(font);
+    for (size_t i = 0; i < sizeof restrictions / sizeof *restrictions; i++) {
+        if (!(embedding & restrictions[i].bit)) continue;
+        if (line.length == 0)
+            add(&line, "%s restricts its embedding (OS/2 fsType): ", mt_font_spec(font));
+        else
+            add(&line, "; ");
+        add(&line, "%s", restrictions[i].meaning);
+    }
+    if (line.length > 0) say(reviewer, &line);
+}
+
+/* What licences say that forbid a changed font. Licences that permit one do not say it. */
+static const char *find_restriction(const char *text) {
+    static const char *const phrases[] = {
+        "may not be modified",   "must not be modified",
+        "cannot be modified",    "not be altered",
+        "may not modify",        "may not alter",
+        "not to modify",         "not to alter",
+        "no derivative",         "may not create derivative",
+        "modification is not",   "modifications are not",
+        "not be used to create", "noderiv",
+        "not adapt, translate",  "not be converted",
+    };
+    const char *first = NULL;
+    for (size_t i = 0; i < sizeof phrases / sizeof *phrases; i++) {
+        const char *found = text ? mt_find_phrase(text, phrases[i]) : NULL;
+        if (found && (!first || found < first)) first = found;
+    }
+    return first;
+}
+
+/* Quotes the licence from the word before the phrase on, so that a person can judge. */
+static void review_license(const mt_reviewer *reviewer, const mt_font *font) {
+    enum { QUOTE_MOST = 100 };
+    mt_line line = {0};
+    mt_names names;
+    mt_font_names(font, &names);
+    const char *text = names.license, *found = find_restriction(text);
+    if (!found) found = find_restriction(text = names.copyright);
+    if (!found) return;
+    int length = (int)strcspn(found, ".");
+    if (length > QUOTE_MOST) length = QUOTE_MOST;
+    while (length > 0 && ((unsigned char)found[length] & 0xC0) == 0x80) length--;
+    add(&line, "%s may not permit a changed font; its licence has: “… %.*s …”", mt_font_spec(font), length,
+        found);
+    say(reviewer, &line);
+}
+
+static mt_status review_family(const mt_reviewer *reviewer, const mt_font *font) {
+    mt_line line = {0};
+    mt_reserved reserved;
+    mt_arena arena = {0};
+    mt_status status = reviewer->family ? mt_reserved_find(font, &arena, &reserved) : MT_OK;
+    const char *held =
+        status == MT_OK && reviewer->family ? mt_reserved_in(&reserved, reviewer->family) : NULL;
+    if (held) {
+        add(&line, "the family name “%s” has “%s” in it, a name of %s", reviewer->family, held,
+            mt_font_spec(font));
+        say(reviewer, &line);
+    }
+    mt_arena_release(&arena);
+    return status;
+}
+
+/* ---- tables -------------------------------------------------------------------------------------------- */
+
+/* Adds "COLR, CPAL of FONT" to the line, where the font has any. */
+static void add_tables(const mt_font *font, mt_line *line) {
+    static const char *const tags[] = {"COLR", "CPAL", "CBDT", "CBLC", "sbix", "SVG ",
+                                       "EBDT", "EBLC", "EBSC", "bdat", "bloc", "MATH"};
+    int count = 0;
+    for (size_t i = 0; i < sizeof tags / sizeof *tags; i++) {
+        const char *tag = tags[i];
+        if (!mt_font_has_table(font, MT_TAG(tag[0], tag[1], tag[2], tag[3]))) continue;
+        add(line, "%s%.*s", count ? ", " : line->length ? "; " : "", tag[3] == ' ' ? 3 : 4, tag);
+        count++;
+    }
+    if (count > 0) add(line, " of %s", mt_font_spec(font));
+}
+
+static void review_tables(const mt_reviewer *reviewer, const mt_font *a, const mt_font *b) {
+    mt_line tables = {0}, line = {0};
+    add_tables(a, &tables);
+    add_tables(b, &tables);
+    add(&line, "colour, bitmap and math tables are left out: %s", tables.text);
+    if (tables.length > 0) say(reviewer, &line);
+}
+
+/* ---- all of it ----------------------------------------------------------------------------------------- */
+
+mt_status mt_review(const mt_font *a, const mt_font *b, const char *family, mt_warning call, void *user) {
+    const mt_reviewer reviewer = {family, call, user};
+    const mt_font *const fonts[] = {a, b};
+    mt_status status = MT_OK;
+    for (int i = 0; i < 2 && status == MT_OK; i++) {
+        review_embedding(&reviewer, fonts[i]);
+        review_license(&reviewer, fonts[i]);
+        status = review_family(&reviewer, fonts[i]);
+    }
+    if (status == MT_OK) review_tables(&reviewer, a, b);
+    return status;
+}

@@ -1,0 +1,59 @@
+#include "geometry/inside.h"
+
+#include <math.h>
+
+/* Whether an edge is crossed by the ray from p to the right. */
+static bool crosses(mt_point p, mt_point a, mt_point b) {
+    if ((a.y <= p.y) == (b.y <= p.y)) return false;
+    return (mt_orient(a, b, p) > 0) == (b.y > a.y);
+}
+
+/* The distance from a place to a component's border, grid units, and whether it is in its ink. */
+static double to_border(const mt_component *component, mt_point p, bool *in_ink) {
+    double least = INFINITY;
+    bool inside = false;
+    for (int r = 0; r < component->count; r++)
+        for (int i = 0; i < component->rings[r].count; i++) {
+            mt_point a = component->rings[r].points[i];
+            mt_point b = component->rings[r].points[(i + 1) % component->rings[r].count];
+            double way[2], distance = mt_way_to_edge(p, a, b, way);
+            if (distance < least) least = distance;
+            inside ^= crosses(p, a, b);
+        }
+    *in_ink = inside;
+    return least;
+}
+
+/* The distance to its ink: 0 inside. */
+static double to_ink(const mt_component *component, mt_point p) {
+    bool inside;
+    double distance = to_border(component, p, &inside);
+    return inside ? 0 : distance;
+}
+
+int mt_component_at(const mt_shape *shape, mt_point place) {
+    int nearest = 0;
+    double least = INFINITY;
+    for (int k = 0; k < shape->count; k++) {
+        double distance = to_ink(&shape->components[k], place);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = k;
+    }
+    return nearest;
+}
+
+bool mt_is_in_ink(const mt_shape *shape, mt_point place) {
+    for (int k = 0; k < shape->count; k++)
+        if (to_ink(&shape->components[k], place) <= 0) return true;
+    return false;
+}
+
+bool mt_is_deep_in_ink(const mt_shape *shape, mt_point place, double depth) {
+    for (int k = 0; k < shape->count; k++) {
+        bool inside;
+        double distance = to_border(&shape->components[k], place, &inside);
+        if (inside) return distance >= depth;
+    }
+    return false;
+}

@@ -1,0 +1,42 @@
+/* Where on the way through the fonts positions are written for. The fonts lie at 0, 1, 2, …; what a value is between
+ * two of them is mixed of both.
+ *
+ * A static font is written for one place. A varying one is written for all fonts, in their order: the first gives its
+ * default values, and the others what a variation store adds to them. */
+#ifndef MT_PLACES_H
+#define MT_PLACES_H
+
+#include "glyphset/charset.h"
+#include "sfnt/var_store.h"
+
+typedef struct mt_places {
+    int font_count;
+    int count;
+    const double *at;
+    mt_var_store *store; /* takes what varies; NULL where there is one place */
+} mt_places;
+
+/* The two fonts that a place lies between: `first` and the one after it, so far from the first (0 … 1). */
+typedef struct mt_between {
+    int first;
+    double t;
+} mt_between;
+
+mt_between mt_between_at(const mt_places *places, int i);
+
+static inline double mt_between_mix(mt_between between, double first, double second) {
+    return (1 - between.t) * first + between.t * second;
+}
+
+/* The glyphs of the new font, as each font has them. */
+typedef struct mt_font_glyphs {
+    int font_count, glyph_count;
+    const uint32_t *of[MT_STOPS_MAX]; /* MT_NO_PARTNER where a font has none; the first has all */
+} mt_font_glyphs;
+
+/* charsets[k] pairs the first font's glyphs with those of font k + 1; all have the same glyphs of the first font.
+ * MT_NO_MEMORY. */
+mt_status mt_font_glyphs_make(const mt_charset *charsets, int font_count, mt_arena *arena,
+                              mt_font_glyphs *glyphs);
+
+#endif

@@ -1,0 +1,280 @@
+#include "gpos/positions.h"
+
+#include "gpos/gpos.h"
+#include "gpos/position_data.h"
+#include "kerning/write.h"
+#include "layout/gdef.h"
+#include "sfnt/sfnt.h"
+
+/* ---- the fonts ----------------------------------------------------------------------------------------- */
+
+typedef struct mt_position_source {
+    mt_font *font;
+    mt_bytes kern;
+    mt_layout layout;
+    mt_variations variations;
+    double scale; /* units of the new font in one of this font's */
+} mt_position_source;
+
+static mt_status open_source(mt_font *font, int units, mt_arena *arena, mt_position_source *source) {
+    mt_bytes gpos, gdef;
+    const int32_t *place;
+    int axes = mt_font_place(font, &place);
+    *source = (mt_position_source){.font = font, .scale = (double)units / mt_font_units(font)};
+    mt_status status = mt_font_table(font, MT_TAG('G', 'P', 'O', 'S'), arena, &gpos);
+    if (status == MT_OK) status = mt_font_table(font, MT_TAG('G', 'D', 'E', 'F'), arena, &gdef);
+    if (status == MT_OK) status = mt_font_table(font, MT_TAG('k', 'e', 'r', 'n'), arena, &source->kern);
+    if (status == MT_OK) status = mt_layout_open(gpos, MT_EXTENSION_GPOS, arena, &source->layout);
+    if (status == MT_OK) status = mt_variations_open(gdef, place, axes, arena, &source->variations);
+    return status;
+}
+
+/* What the parts of the preparation share. */
+typedef struct mt_position_job {
+    mt_position_source sources[MT_STOPS_MAX];
+    mt_feature_sources features;
+    mt_font_glyphs glyphs;
+    mt_arena *arena;
+    mt_arena scratch;   /* of the tables, and what is read of them */
+    int64_t pair_steps; /* that are left */
+    mt_positions *positions;
+} mt_position_job;
+
+/* ---- pairs --------------------------------------------------------------------------------------------- */
+
+static mt_status pair_source(const mt_position_source *source, const mt_feature_part *part, mt_arena *arena,
+                             mt_pair_source *made) {
+    if (part->kern_table) return mt_pair_source_kern(source->kern, source->scale, arena, made);
+    return mt_pair_source_gpos(&source->layout, part->lookups, part->count, &source->variations,
+                               source->scale, arena, made);
+}
+
+/* What each font's lookups make of a feature. */
+static mt_status pair_sources(mt_position_job *job, const mt_feature_job *feature, mt_pair_source *own) {
+    mt_status status = MT_OK;
+    for (int s = 0; s < job->glyphs.font_count && status == MT_OK; s++)
+        status = pair_source(&job->sources[s], &feature->parts[s], &job->scratch, &own[s]);
+    return status;
+}
+
+static mt_status prepare_together(const mt_pair_source *own, int most, mt_position_job *job,
+                                  mt_pairs *pairs) {
+    const mt_pair_source *sources[MT_STOPS_MAX];
+    for (int s = 0; s < job->glyphs.font_count; s++) sources[s] = &own[s];
+    return mt_pairs_prepare(sources, &job->glyphs, most, &job->pair_steps, job->arena, pairs);
+}
+
+/* Each font's pairs alone; what is too large even so is left out. */
+static mt_status prepare_apart(const mt_pair_source *own, mt_position_job *job, mt_pair_position *position) {
+    static const mt_pair_source none;
+    mt_status status = MT_OK;
+    for (int s = 0; s < job->glyphs.font_count && status == MT_OK; s++) {
+        const mt_pair_source *sources[MT_STOPS_MAX];
+        for (int k = 0; k < job->glyphs.font_count; k++) sources[k] = k == s ? &own[s] : &none;
+        status = mt_pairs_prepare(sources, &job->glyphs, MT_PAIR_CELLS_MAX, &job->pair_steps, job->arena,
+                                  &position->pairs[position->count]);
+        if (status == MT_OK) position->count++;
+        if (status == MT_TOO_LARGE) status = MT_OK;
+    }
+    return status;
+}
+
+enum { TOGETHER_MAX = 1 << 19 }; /* cells: a megabyte where only advances change */
+
+/* Whether the classes of several fonts together come to more values than the fonts' own do: those that refine one another
+ * multiply. Two fonts' are kept together all the same, so that a value between them is rounded once. */
+static bool is_better_apart(const mt_pairs *pairs) {
+    int64_t together = (int64_t)pairs->left.count * pairs->right.count, apart = 0;
+    for (int s = 0; s < pairs->font_count; s++)
+        apart += (int64_t)pairs->fonts[s].rows * pairs->fonts[s].columns;
+    return pairs->font_count > 2 && together > apart;
+}
+
+static mt_status prepare_pairs(mt_position_job *job, const mt_feature_job *feature,
+                               mt_pair_position *position) {
+    mt_pair_source own[MT_STOPS_MAX];
+    *position = (mt_pair_position){.head = feature->head};
+    position->pairs = mt_arena_new(job->arena, (size_t)job->glyphs.font_count, sizeof *position->pairs);
+    if (!position->pairs) return MT_NO_MEMORY;
+    mt_status status = pair_sources(job, feature, own);
+    if (status == MT_OK) status = prepare_together(own, TOGETHER_MAX, job, &position->pairs[0]);
+    bool large = status == MT_TOO_LARGE || (status == MT_OK && is_better_apart(&position->pairs[0]));
+    if (large) return prepare_apart(own, job, position);
+    position->count = status == MT_OK;
+    return status;
+}
+
+static mt_status prepare_all_pairs(mt_position_job *job) {
+    mt_positions *positions = job->positions;
+    mt_feature_jobs found;
+    mt_status status =
+        mt_feature_jobs_find(&job->features, &positions->systems, MT_LOOKUP_PAIR, job->arena, &found);
+    if (status != MT_OK) return status;
+    positions->pairs = mt_arena_new(job->arena, (size_t)found.count + 1, sizeof *positions->pairs);
+    if (!positions->pairs) return MT_NO_MEMORY;
+    for (int i = 0; i < found.count && status == MT_OK; i++)
+        status = prepare_pairs(job, &found.list[i], &positions->pairs[positions->pair_count++]);
+    return status;
+}
+
+/* The system that Latin text is set by: latn's, else DFLT's, else the first. */
+static int plain_system(const mt_systems *systems) {
+    static const uint32_t scripts[] = {MT_TAG('l', 'a', 't', 'n'), MT_TAG('D', 'F', 'L', 'T')};
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < systems->count; i++)
+            if (systems->list[i].script == scripts[k] && systems->list[i].language == MT_LANGUAGE_DEFAULT)
+                return i;
+    return 0;
+}
+
+/* Kerning that is too large is left out. */
+static mt_status prepare_plain_kerning(mt_position_job *job) {
+    mt_feature_job feature;
+    mt_pair_source own[MT_STOPS_MAX];
+    mt_positions *positions = job->positions;
+    mt_status status =
+        mt_feature_job_whole(&job->features, &positions->systems, plain_system(&positions->systems),
+                             MT_TAG('k', 'e', 'r', 'n'), MT_LOOKUP_PAIR, job->arena, &feature);
+    if (status == MT_OK) status = pair_sources(job, &feature, own);
+    if (status == MT_OK) status = prepare_together(own, MT_PAIR_CELLS_MAX, job, &positions->plain_kerning);
+    positions->has_plain_kerning = status == MT_OK;
+    return status == MT_TOO_LARGE ? MT_OK : status;
+}
+
+/* ---- single adjustments -------------------------------------------------------------------------------- */
+
+/* One that is too large, which no font's is, is left out. */
+static mt_status prepare_single(mt_position_job *job, const mt_feature_job *feature) {
+    mt_single_source own[MT_STOPS_MAX];
+    for (int s = 0; s < job->glyphs.font_count; s++)
+        own[s] =
+            (mt_single_source){&job->sources[s].layout, &job->sources[s].variations, job->sources[s].scale,
+                               feature->parts[s].count, feature->parts[s].lookups};
+    mt_single_position *position = &job->positions->singles[job->positions->single_count];
+    position->head = feature->head;
+    mt_status status = mt_singles_prepare(own, &job->glyphs, job->arena, &position->singles);
+    job->positions->single_count += status == MT_OK;
+    return status == MT_TOO_LARGE ? MT_OK : status;
+}
+
+static mt_status prepare_singles(mt_position_job *job) {
+    mt_positions *positions = job->positions;
+    mt_feature_jobs found;
+    mt_status status =
+        mt_feature_jobs_find(&job->features, &positions->systems, MT_LOOKUP_SINGLE, job->arena, &found);
+    if (status != MT_OK) return status;
+    positions->singles = mt_arena_new(job->arena, (size_t)found.count + 1, sizeof *positions->singles);
+    if (!positions->singles) return MT_NO_MEMORY;
+    for (int i = 0; i < found.count && status == MT_OK; i++) status = prepare_single(job, &found.list[i]);
+    return status;
+}
+
+/* ---- all ----------------------------------------------------------------------------------------------- */
+
+static mt_status prepare_anchors(mt_position_job *job, int units) {
+    mt_anchor_source own[MT_STOPS_MAX];
+    for (int s = 0; s < job->glyphs.font_count; s++)
+        own[s] =
+            (mt_anchor_source){job->sources[s].font, &job->sources[s].layout, &job->sources[s].variations};
+    return mt_anchors_prepare(own, &job->positions->systems, &job->glyphs, units, job->arena,
+                              &job->positions->anchors);
+}
+
+static mt_status open_sources(mt_position_job *job, mt_font *const *fonts, int units) {
+    mt_status status = MT_OK;
+    job->features.count = job->glyphs.font_count;
+    for (int s = 0; s < job->features.count && status == MT_OK; s++) {
+        mt_position_source *source = &job->sources[s];
+        status = open_source(fonts[s], units, &job->scratch, source);
+        job->features.layouts[s] = &source->layout;
+        job->features.kern_tables[s] = status == MT_OK && mt_kern_table_kerns(source->kern);
+    }
+    return status;
+}
+
+static mt_status prepare(mt_position_job *job, mt_font *const *fonts, int units) {
+    mt_status status = open_sources(job, fonts, units);
+    if (status == MT_OK)
+        status =
+            mt_systems_make(job->features.layouts, job->features.count, job->arena, &job->positions->systems);
+    if (status == MT_OK) status = prepare_all_pairs(job);
+    if (status == MT_OK) status = prepare_plain_kerning(job);
+    if (status == MT_OK) status = prepare_singles(job);
+    return status == MT_OK ? prepare_anchors(job, units) : status;
+}
+
+mt_status mt_positions_prepare(mt_font *const *fonts, const mt_charset *charsets, int font_count, int units,
+                               mt_arena *arena, mt_positions **positions) {
+    mt_position_job job = {.arena = arena, .pair_steps = MT_PAIR_STEPS_MAX};
+    job.positions = mt_arena_new(arena, 1, sizeof *job.positions);
+    if (!job.positions) return MT_NO_MEMORY;
+    job.positions->font_count = font_count;
+    mt_status status = mt_font_glyphs_make(charsets, font_count, &job.scratch, &job.glyphs);
+    if (status == MT_OK) status = prepare(&job, fonts, units);
+    mt_arena_release(&job.scratch);
+    if (status == MT_OK) *positions = job.positions;
+    return status;
+}
+
+/* ---- writing ------------------------------------------------------------------------------------------- */
+
+static mt_status write_pairs(const mt_pair_position *position, const mt_places *places, mt_arena *scratch,
+                             mt_made_lookups *made) {
+    mt_status status = MT_OK;
+    for (int i = 0; i < position->count && status == MT_OK; i++) {
+        mt_made_lookup lookup = position->head;
+        mt_mixed_pairs mixed;
+        mt_bytes *subtables;
+        status = mt_pairs_mix(&position->pairs[i], places, scratch, &mixed);
+        if (status == MT_OK)
+            status = mt_pairs_write(&mixed, places->store, scratch, &subtables, &lookup.subtable_count);
+        if (status != MT_OK) return status;
+        lookup.subtables = subtables;
+        status = mt_made_add(made, &lookup, scratch);
+    }
+    return status;
+}
+
+static mt_status write_singles(const mt_single_position *position, const mt_places *places, mt_arena *scratch,
+                               mt_made_lookups *made) {
+    mt_made_lookup lookup = position->head;
+    mt_bytes *subtables;
+    mt_status status =
+        mt_singles_write(&position->singles, places, scratch, &subtables, &lookup.subtable_count);
+    lookup.subtables = subtables;
+    return status == MT_OK ? mt_made_add(made, &lookup, scratch) : status;
+}
+
+static mt_status write_at(const mt_positions *positions, const mt_places *places, mt_arena *arena,
+                          mt_bytes *gpos) {
+    mt_arena scratch = {0};
+    mt_made_lookups made = {0};
+    mt_status status = MT_OK;
+    for (int i = 0; i < positions->pair_count && status == MT_OK; i++)
+        status = write_pairs(&positions->pairs[i], places, &scratch, &made);
+    for (int i = 0; i < positions->single_count && status == MT_OK; i++)
+        status = write_singles(&positions->singles[i], places, &scratch, &made);
+    if (status == MT_OK) status = mt_anchors_write(&positions->anchors, places, &scratch, &made);
+    if (status == MT_OK) status = mt_gpos_write(&positions->systems, &made, arena, gpos);
+    mt_arena_release(&scratch);
+    return status;
+}
+
+mt_status mt_positions_write(const mt_positions *positions, double t, mt_arena *arena, mt_bytes *gpos) {
+    mt_places places = {positions->font_count, 1, &t, NULL};
+    return write_at(positions, &places, arena, gpos);
+}
+
+mt_status mt_positions_write_varying(const mt_positions *positions, mt_bytes plain_gdef, mt_arena *arena,
+                                     mt_bytes *gpos, mt_bytes *gdef) {
+    double at[MT_STOPS_MAX];
+    mt_var_store store = mt_var_store_make(positions->font_count);
+    mt_places places = {positions->font_count, positions->font_count, at, &store};
+    mt_bytes made;
+    for (int i = 0; i < places.count; i++) at[i] = i;
+    mt_status status = write_at(positions, &places, arena, &made);
+    if (status == MT_OK) status = mt_gdef_vary(plain_gdef, &store, arena, gdef);
+    mt_var_store_free(&store);
+    if (status == MT_OK) *gpos = made;
+    return status;
+}

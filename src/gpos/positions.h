@@ -1,0 +1,30 @@
+/* The positions of a blend: kerning, single adjustments and anchors of two fonts or more, written as GPOS.
+ *
+ * Everything is read once into a structure that holds all fonts' values, in the new font's units; it is mixed and
+ * rounded when a font is written. A static font is written for one place on the way through the fonts; a varying one has
+ * the fonts as stops along its axis (font/var_store.h), the first of them being the default. */
+#ifndef MT_POSITIONS_H
+#define MT_POSITIONS_H
+
+#include "glyphset/charset.h"
+#include "layout/lookup_builder.h"
+
+typedef struct mt_positions mt_positions;
+
+/* Reads the layout of 2 … MT_STOPS_MAX fonts for the glyphs of the charsets, which are then the new font's in that
+ * order. charsets[k], one less than there are fonts, pairs the first font with font k + 1, and all have the same glyphs
+ * of the first font. `units` is the new font's per em. The result belongs to the arena and needs the fonts and the
+ * charsets no more. Not for two threads at once. MT_NO_MEMORY. */
+mt_status mt_positions_prepare(mt_font *const *fonts, const mt_charset *charsets, int font_count, int units,
+                               mt_arena *arena, mt_positions **positions);
+
+/* The GPOS table of the font at t: 0 is the first font, 1 the second, and so on. In the arena; no bytes where there is
+ * nothing to position. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_positions_write(const mt_positions *positions, double t, mt_arena *arena, mt_bytes *gpos);
+
+/* The GPOS table of the varying font, and its GDEF: `plain_gdef`, which may be empty, with the store of what varies in
+ * GPOS. In the arena. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_positions_write_varying(const mt_positions *positions, mt_bytes plain_gdef, mt_arena *arena,
+                                     mt_bytes *gpos, mt_bytes *gdef);
+
+#endif

@@ -1,0 +1,27 @@
+/* Hints as the morph takes them: those of a table for each pair of glyphs of two fonts, on the grid. Characters
+ * that lead to the same two glyphs have their hints in common, as they share the blend of these glyphs. */
+#ifndef MT_HINT_INDEX_H
+#define MT_HINT_INDEX_H
+
+#include "hints/table.h"
+#include "source/font.h"
+
+typedef struct mt_hint_index mt_hint_index;
+
+/* Keeps neither the table nor the fonts. Hints for characters that one font lacks are left out. MT_BAD_HINTS,
+ * with `error` (unless NULL) filled in, for a place that is over MT_COORD_MAX and for more than
+ * MT_GLYPH_HINTS_MAX hints for one pair of glyphs; MT_NO_MEMORY. */
+mt_status mt_hint_index_new(const mt_hint_table *table, const mt_font *a, const mt_font *b,
+                            mt_hint_index **index, mt_hint_error *error);
+void mt_hint_index_free(mt_hint_index *index); /* NULL is fine */
+
+/* The hints for A's glyph `a` and B's glyph `b`, in the order of the file; they belong to the index. None
+ * where `index` is NULL. */
+mt_hints mt_hint_index_find(const mt_hint_index *index, uint32_t a, uint32_t b);
+
+/* Those that a blend goes by; NULL: none. They belong to the blend. */
+const mt_hint_index *mt_blend_hints(const mt_blend *blend);
+/* The same between two neighbours of a variable font: the fonts number `step`, from 0, and the next one. */
+const mt_hint_index *mt_variable_hints(const mt_variable *variable, int step);
+
+#endif

@@ -1,0 +1,17 @@
+/* The old 'kern' table (OpenType spec, "kern", and Apple's): subtables of formats 0 and 2. */
+#ifndef MT_KERN_TABLE_H
+#define MT_KERN_TABLE_H
+
+#include "kerning/source.h"
+
+/* Format 0, pairs in ascending order: those of a left glyph; the value of a pair, 0 where it is not listed. */
+int mt_kern_listed_count(const mt_pair_subtable *subtable, uint32_t left);
+uint32_t mt_kern_listed(const mt_pair_subtable *subtable, uint32_t left, int i);
+double mt_kern_listed_value(const mt_pair_subtable *subtable, uint32_t left, uint32_t right);
+
+/* Format 2: a row is the offset of a left class' values from the subtable's start, a column the offset in the row. */
+int mt_kern_row(const mt_pair_subtable *subtable, uint32_t left);
+int mt_kern_column(const mt_pair_subtable *subtable, uint32_t right);
+double mt_kern_classed_value(const mt_pair_subtable *subtable, int row, int column);
+
+#endif

@@ -1,0 +1,34 @@
+/* Pair adjustment, static or varying, as subtables of a lookup. */
+#ifndef MT_PAIR_WRITE_H
+#define MT_PAIR_WRITE_H
+
+#include "kerning/mix.h"
+#include "layout/lookup_builder.h"
+
+/* PairPosFormat1 for the listed pairs, then PairPosFormat2 for the matrix: as many of each as 16-bit offsets ask for.
+ * No left glyph is in two of the second format. No subtables where every value is 0. What varies goes into the store;
+ * NULL where there is one place. In the arena. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_pairs_write(const mt_mixed_pairs *mixed, mt_var_store *store, mt_arena *arena,
+                         mt_bytes **subtables, int *count);
+
+/* What the writers of the two formats share: subtables as they are made. */
+typedef struct mt_pair_writer {
+    const mt_mixed_pairs *mixed;
+    mt_var_store *store;
+    mt_arena *arena;
+    mt_bytes *subtables;
+    int count, room;
+} mt_pair_writer;
+
+/* Takes a subtable, and frees the table. MT_NO_MEMORY. */
+mt_status mt_pair_writer_add(mt_pair_writer *writer, mt_table *table);
+void mt_pair_write_header(mt_table *table, int format, size_t coverage, mt_value_format values);
+
+/* pair_write_list.c, pair_write_matrix.c */
+mt_status mt_pair_write_list(mt_pair_writer *writer);
+mt_status mt_pair_write_matrix(mt_pair_writer *writer);
+
+/* Where a 16-bit offset may lead at most. */
+enum { MT_OFFSET_MAX = UINT16_MAX };
+
+#endif

@@ -1,0 +1,49 @@
+/* GPOS in the making: Coverage and ClassDef tables, and lookups whose subtables are ready. */
+#ifndef MT_MADE_H
+#define MT_MADE_H
+
+#include "layout/layout.h"
+#include "sfnt/table.h"
+
+/* A Coverage table of these glyphs, ascending, in the shorter format. */
+void mt_table_coverage(mt_table *table, const uint16_t *glyphs, int count);
+
+typedef struct mt_glyph_class {
+    uint16_t glyph, class;
+} mt_glyph_class;
+
+/* A ClassDef table, glyphs ascending, in the shorter format; class 0 need not be listed. */
+void mt_table_classes(mt_table *table, const mt_glyph_class *glyphs, int count);
+
+/* Moves what was written into the arena and frees the table. MT_NO_MEMORY when the table has failed. */
+mt_status mt_table_keep(mt_table *table, mt_arena *arena, mt_bytes *bytes);
+
+/* That a lookup belongs to a feature of a language system (an index of the new font's systems). */
+typedef struct mt_member {
+    int system;
+    uint32_t feature;
+} mt_member;
+
+typedef struct mt_made_lookup {
+    int order; /* lookups are applied by ascending order, then as they were added: the index of A's lookup */
+    int type, flag;
+    int mark_set; /* -1: none */
+    int member_count;
+    const mt_member *members;
+    int subtable_count;
+    const mt_bytes *subtables; /* each under 64 KB or with 16-bit offsets of its own; not extensions */
+} mt_made_lookup;
+
+/* Where a lookup of A's belongs, for systems that are A's own; a member may come twice. MT_NO_MEMORY. */
+mt_status mt_members_of(const mt_layout *layout, int lookup, mt_arena *arena, mt_member **members,
+                        int *count);
+
+/* A list that grows in an arena; all zero is empty. */
+typedef struct mt_made_lookups {
+    int count, room;
+    mt_made_lookup *lookups;
+} mt_made_lookups;
+mt_status mt_made_add(mt_made_lookups *made, const mt_made_lookup *lookup,
+                      mt_arena *arena); /* MT_NO_MEMORY */
+
+#endif

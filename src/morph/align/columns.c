@@ -1,0 +1,37 @@
+#include "morph/align/columns.h"
+
+mt_status mt_columns_of(const mt_view *views, int count, mt_arena *arena, mt_columns *columns) {
+    size_t m = (size_t)count;
+    float *room = mt_arena_new(arena, 8 * m, sizeof *room);
+    if (!room) return MT_NO_MEMORY;
+    mt_columns *c = columns;
+    *c = (mt_columns){room,         room + m,     room + 2 * m, room + 3 * m,
+                      room + 4 * m, room + 5 * m, room + 6 * m, room + 7 * m};
+    for (size_t j = 0; j < m; j++) {
+        const mt_view *view = &views[j];
+        c->x[j] = (float)view->x;
+        c->y[j] = (float)view->y;
+        c->in_x[j] = (float)view->in_x;
+        c->in_y[j] = (float)view->in_y;
+        c->out_x[j] = (float)view->out_x;
+        c->out_y[j] = (float)view->out_y;
+        c->turn_x[j] = (float)view->turn_x;
+        c->turn_y[j] = (float)view->turn_y;
+    }
+    return MT_OK;
+}
+
+void mt_price_all(const mt_tariff *tariff, const mt_view *view, const mt_columns *c, int first, int end,
+                  float *restrict prices) {
+    const float x = (float)view->x, y = (float)view->y, in_x = (float)view->in_x, in_y = (float)view->in_y,
+                out_x = (float)view->out_x, out_y = (float)view->out_y, turn_x = (float)view->turn_x,
+                turn_y = (float)view->turn_y;
+    const float direction = (float)tariff->direction / 4, distance = (float)tariff->distance,
+                corner = (float)tariff->corner / 2;
+    for (int j = first; j < end; j++) {
+        float same = in_x * c->in_x[j] + in_y * c->in_y[j] + out_x * c->out_x[j] + out_y * c->out_y[j];
+        float alike = turn_x * c->turn_x[j] + turn_y * c->turn_y[j];
+        float dx = x - c->x[j], dy = y - c->y[j];
+        prices[j] = direction * (2 - same) + distance * sqrtf(dx * dx + dy * dy) + corner * (1 - alike);
+    }
+}

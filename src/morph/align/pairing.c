@@ -1,0 +1,110 @@
+#include "morph/align/pairing.h"
+
+#include <math.h>
+
+#include "morph/align/assign.h"
+#include "morph/align/cache.h"
+
+#define STOPS 60.0      /* places along a ring that are compared, at least */
+#define APART_MOST 0.35 /* how far the middles of two rings may be apart, in boxes */
+#define FORBIDDEN 100.0 /* more than any alignment costs */
+
+/* How far the middles of two rings are apart, each relative to its glyph's box. */
+static double apart(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q) {
+    mt_box a = mt_ring_box(p), b = mt_ring_box(q);
+    double x = (a.min.x + (double)a.max.x - 2.0 * box_p.min.x) / mt_box_width(box_p) -
+               (b.min.x + (double)b.max.x - 2.0 * box_q.min.x) / mt_box_width(box_q);
+    double y = (a.min.y + (double)a.max.y - 2.0 * box_p.min.y) / mt_box_height(box_p) -
+               (b.min.y + (double)b.max.y - 2.0 * box_q.min.y) / mt_box_height(box_q);
+    return hypot(x, y) / 2;
+}
+
+static mt_status find_price(const mt_known_case *of, double chord, mt_arena *arena, double *price) {
+    mt_arena_place before = mt_arena_mark(arena);
+    mt_stops a, b;
+    mt_alignment alignment;
+    mt_status status = mt_ring_stops(of->p, chord, STOPS, arena, &a);
+    if (status == MT_OK) status = mt_ring_stops(of->q, chord, STOPS, arena, &b);
+    if (status == MT_OK)
+        status = mt_align(&a, of->box_p, &b, of->box_q, &of->tariff, &(mt_links){0}, arena, &alignment);
+    if (status == MT_OK) *price = alignment.cost;
+    mt_arena_rewind(arena, before);
+    return status;
+}
+
+mt_status mt_pair_price(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q,
+                        const mt_manner *manner, mt_arena *arena, double *price) {
+    mt_known_case of = {p, q, box_p, box_q, manner->align, false};
+    const mt_known_pair *known = mt_known_find(manner->known, &of);
+    if (known) {
+        *price = known->cost;
+        return MT_OK;
+    }
+    mt_status status = find_price(&of, manner->chord, arena, price);
+    return status == MT_OK ? mt_known_add(manner->known, &of, *price, NULL, arena) : status;
+}
+
+typedef struct mt_prices {
+    int rows, columns;
+    double *prices; /* rows × columns; INFINITY for what may not be paired */
+} mt_prices;
+
+static mt_status price_all(const mt_ring_list *a, const mt_ring_list *b, double most, const mt_manner *manner,
+                           mt_arena *arena, mt_prices *p) {
+    *p = (mt_prices){a->count, b->count, NULL};
+    p->prices = mt_arena_new(arena, (size_t)a->count * (size_t)b->count, sizeof *p->prices);
+    if (!p->prices) return MT_NO_MEMORY;
+    mt_status status = MT_OK;
+    for (int i = 0; i < p->rows; i++)
+        for (int j = 0; status == MT_OK && j < p->columns; j++) {
+            double *price = &p->prices[(size_t)i * (size_t)p->columns + (size_t)j];
+            *price = INFINITY;
+            if (apart(a->rings[i], a->box, b->rings[j], b->box) > APART_MOST) continue;
+            status = mt_pair_price(a->rings[i], a->box, b->rings[j], b->box, manner, arena, price);
+            if (*price > most) *price = INFINITY;
+        }
+    return status;
+}
+
+/* What it counts that two rings go together: its price, and at most as much as if they did not. */
+static double cost_of(double price, double most) {
+    return fmin(price, fmin(most, FORBIDDEN));
+}
+
+static mt_status assign_rest(const mt_prices *p, double most, mt_arena *arena, int *partner_a,
+                             int *partner_b) {
+    size_t cells = (size_t)p->rows * (size_t)p->columns;
+    double *costs = mt_arena_new(arena, cells, sizeof *costs);
+    int *column_of = mt_arena_new(arena, (size_t)p->rows, sizeof *column_of);
+    if (!costs || !column_of) return MT_NO_MEMORY;
+    for (int i = 0; i < p->rows; i++)
+        for (int j = 0; j < p->columns; j++) {
+            size_t cell = (size_t)i * (size_t)p->columns + (size_t)j;
+            bool open = partner_a[i] < 0 && partner_b[j] < 0;
+            costs[cell] = cost_of(open ? p->prices[cell] : INFINITY, most);
+        }
+    mt_status status = mt_assign(costs, p->rows, p->columns, arena, column_of);
+    for (int i = 0; status == MT_OK && i < p->rows; i++) {
+        int j = column_of[i];
+        if (j < 0 || partner_a[i] >= 0 || partner_b[j] >= 0) continue;
+        if (p->prices[(size_t)i * (size_t)p->columns + (size_t)j] == INFINITY) continue;
+        partner_a[i] = j;
+        partner_b[j] = i;
+    }
+    return status;
+}
+
+mt_status mt_pair_rings(const mt_ring_list *a, const mt_ring_list *b, double most, const mt_manner *manner,
+                        mt_arena *arena, int *partner_a, int *partner_b) {
+    if (a->count == 0 || b->count == 0) return MT_OK;
+    mt_prices prices;
+    mt_status status = price_all(a, b, most, manner, arena, &prices);
+    return status == MT_OK ? assign_rest(&prices, most, arena, partner_a, partner_b) : status;
+}
+
+mt_status mt_outer_rings(const mt_shape *shape, mt_box box, mt_arena *arena, mt_ring_list *list) {
+    *list = (mt_ring_list){shape->count, mt_arena_new(arena, (size_t)shape->count, sizeof(mt_ring *)), box};
+    if (!list->rings) return MT_NO_MEMORY;
+    for (int i = 0; i < shape->count; i++) list->rings[i] = &shape->components[i].rings[0];
+    return MT_OK;
+}

@@ -1,0 +1,46 @@
+#include "morph/check/mend.h"
+
+#include <limits.h>
+
+#include "geometry/limits.h"
+
+static mt_status look(mt_mending *m, int enough, mt_straying *by) {
+    mt_status status = mt_morph_strays(m->morph, enough, m->params, m->arena, by);
+    if (status == MT_OK) m->effort -= by->corners;
+    return status;
+}
+
+mt_status mt_mend_begin(mt_mending *m) {
+    return look(m, INT_MAX, &m->by);
+}
+
+bool mt_mend_goes_on(const mt_mending *m) {
+    return m->by.parts > 0 && m->effort > 0;
+}
+
+mt_status mt_mend_compare(mt_mending *m, bool *better) {
+    mt_straying by;
+    mt_status status = look(m, m->by.parts, &by);
+    *better = status == MT_OK && by.parts < m->by.parts;
+    if (*better) m->by = by;
+    return status;
+}
+
+mt_status mt_mend_union(mt_mending *m, const mt_rings *rings, mt_rule rule, mt_shape *shape) {
+    m->effort -= mt_rings_corners(rings);
+    return mt_union(rings, rule, m->arena, shape);
+}
+
+mt_status mt_mend_shape(mt_mending *m, double t, mt_rule rule, mt_shape *shape) {
+    mt_rings rings;
+    mt_status status = mt_morph_rings(m->morph, mt_weights_at(t), m->params, m->arena, &rings);
+    return status == MT_OK ? mt_mend_union(m, &rings, rule, shape) : status;
+}
+
+mt_status mt_mend_outwards(mt_mending *m, mt_mend_place mend, const void *stage) {
+    mt_status status = MT_OK;
+    bool closed = true;
+    for (int i = 0; status == MT_OK && closed && mt_mend_goes_on(m) && i < MT_CENSUS_STEPS; i++)
+        status = mend(m, stage, mt_census_place(m->morph, i), &closed);
+    return status;
+}

@@ -1,0 +1,171 @@
+#include "morph/check/separate.h"
+
+#include <math.h>
+
+#include "geometry/limits.h"
+#include "morph/check/contour_origin.h"
+#include "morph/fit/contour_pair.h"
+
+/* Contours in clusters: those whose components are one at either end have to stay together. */
+typedef struct mt_clusters {
+    mt_mending *m;
+    bool *moved;   /* each cluster: it stands aside */
+    int *of;       /* each contour's, numbered by its first contour */
+    double *area;  /* of each cluster, half-way, grid units squared */
+    mt_box *boxes; /* of each cluster, on all of its way */
+    int *alone;    /* of each cluster, its components at each place; 0: not counted yet */
+} mt_clusters;
+
+/* ---- clusters ------------------------------------------------------------------------------------------------ */
+
+static void unite(int *of, int count, int i, int k) {
+    int low = of[i] < of[k] ? of[i] : of[k], high = of[i] < of[k] ? of[k] : of[i];
+    for (int c = 0; c < count; c++)
+        if (of[c] == high) of[c] = low;
+}
+
+static mt_box around(mt_box p, mt_box q) {
+    return (mt_box){{p.min.x < q.min.x ? p.min.x : q.min.x, p.min.y < q.min.y ? p.min.y : q.min.y},
+                    {p.max.x > q.max.x ? p.max.x : q.max.x, p.max.y > q.max.y ? p.max.y : q.max.y}};
+}
+
+static bool meet(mt_box p, mt_box q) {
+    return p.min.x <= q.max.x && q.min.x <= p.max.x && p.min.y <= q.max.y && q.min.y <= p.max.y;
+}
+
+static void stretch(mt_box *box, mt_point p) {
+    *box = around(*box, (mt_box){p, p});
+}
+
+/* What a contour stays within on its way, but for standing aside. */
+static mt_box way_box(const mt_masters *m) {
+    mt_box box = {m->a.segments[0].end, m->a.segments[0].end};
+    for (int s = 0; s < 2; s++) {
+        const mt_contour *contour = s == 0 ? &m->a : &m->b;
+        for (int i = 0; i < contour->count; i++) {
+            stretch(&box, contour->segments[i].end);
+            if (contour->segments[i].degree == 2) stretch(&box, contour->segments[i].control[0]);
+        }
+    }
+    return box;
+}
+
+static mt_status gather(mt_mending *mending, mt_clusters *clusters) {
+    const mt_morph *m = mending->morph;
+    mt_arena *arena = mending->arena;
+    size_t count = (size_t)m->contour_count;
+    mt_homes homes;
+    *clusters = (mt_clusters){.m = mending,
+                              .moved = mt_arena_new(arena, count, sizeof(bool)),
+                              .of = mt_arena_new(arena, count, sizeof(int)),
+                              .area = mt_arena_new(arena, count, sizeof(double)),
+                              .boxes = mt_arena_new(arena, count, sizeof(mt_box)),
+                              .alone = mt_arena_new(arena, count, MT_CENSUS_STEPS * sizeof(int))};
+    if (!clusters->moved || !clusters->of || !clusters->area || !clusters->boxes || !clusters->alone)
+        return MT_NO_MEMORY;
+    mt_status status = mt_homes_of(m, arena, &homes);
+    if (status != MT_OK) return status;
+    for (int i = 0; i < m->contour_count; i++) {
+        clusters->of[i] = i;
+        for (int k = 0; k < i; k++)
+            if (mt_share_home(&homes, i, k)) unite(clusters->of, i + 1, i, k);
+    }
+    for (int i = 0; i < m->contour_count; i++) clusters->boxes[i] = way_box(&m->contours[i]);
+    for (int i = 0; i < m->contour_count; i++) {
+        int head = clusters->of[i];
+        clusters->area[head] += mt_masters_area(&m->contours[i]);
+        clusters->boxes[head] = around(clusters->boxes[head], clusters->boxes[i]);
+    }
+    return MT_OK;
+}
+
+/* ---- where they touch ---------------------------------------------------------------------------------------- */
+
+/* The contours of one cluster, or of two, at one place. */
+static mt_status rings_of(const mt_clusters *c, int one, int other, double t, mt_rings *rings) {
+    const mt_mending *m = c->m;
+    mt_outline outline = {0, mt_arena_new(m->arena, (size_t)m->morph->contour_count, sizeof(mt_contour))};
+    mt_status status = outline.contours ? MT_OK : MT_NO_MEMORY;
+    for (int i = 0; status == MT_OK && i < m->morph->contour_count; i++)
+        if (c->of[i] == one || c->of[i] == other)
+            status = mt_masters_mix(&m->morph->contours[i], mt_weights_at(t), m->arena,
+                                    &outline.contours[outline.count++]);
+    return status == MT_OK ? mt_flatten(&outline, mt_grid_units(m->params->tolerance), m->arena, rings)
+                           : status;
+}
+
+/* How many components they are. */
+static mt_status components_of(const mt_clusters *c, int one, int other, int place, int *count) {
+    mt_arena_place before = mt_arena_mark(c->m->arena);
+    mt_rings rings;
+    mt_shape shape;
+    mt_status status = rings_of(c, one, other, mt_census_place(c->m->morph, place), &rings);
+    if (status == MT_OK) status = mt_mend_union(c->m, &rings, MT_POSITIVE, &shape);
+    if (status == MT_OK) *count = mt_census_of(&shape).components;
+    mt_arena_rewind(c->m->arena, before);
+    return status;
+}
+
+/* Of a cluster alone; it has as many wherever it stands. */
+static mt_status count_alone(const mt_clusters *c, int cluster, int place, int *count) {
+    int *known = &c->alone[cluster * MT_CENSUS_STEPS + place];
+    mt_status status = *known == 0 ? components_of(c, cluster, cluster, place, known) : MT_OK;
+    *count = *known;
+    return status;
+}
+
+static mt_status touch_at(const mt_clusters *c, int p, int q, int place, bool *touch) {
+    int alone = 0, beside = 0, together = 0;
+    mt_status status = count_alone(c, p, place, &alone);
+    if (status == MT_OK) status = count_alone(c, q, place, &beside);
+    if (status == MT_OK) status = components_of(c, p, q, place, &together);
+    *touch = together < alone + beside;
+    return status;
+}
+
+/* Whether two clusters touch at any place between the ends. */
+static mt_status do_touch(const mt_clusters *c, int p, int q, bool *touch) {
+    mt_status status = MT_OK;
+    *touch = false;
+    if (!meet(c->boxes[p], c->boxes[q])) return MT_OK;
+    for (int i = 0; status == MT_OK && !*touch && i < MT_CENSUS_STEPS; i++)
+        status = touch_at(c, p, q, i, touch);
+    return status;
+}
+
+/* ---- making way ---------------------------------------------------------------------------------------------- */
+
+/* Moves a cluster that touches another by as little as helps, unless it has moved: the two are apart then, and all of the glyph
+ * strays less. */
+static mt_status move_away(const mt_clusters *c, int cluster, int other) {
+    for (int i = 0; i < MT_ASIDE_WAYS && !c->moved[cluster] && mt_mend_goes_on(c->m); i++) {
+        bool touch, better = false;
+        mt_point to = mt_aside_way(i);
+        mt_shift(c->m->morph, c->of, cluster, to);
+        mt_status status = do_touch(c, cluster, other, &touch);
+        if (status == MT_OK && !touch) status = mt_mend_compare(c->m, &better);
+        if (status != MT_OK) return status;
+        c->moved[cluster] = better;
+        if (!better) mt_shift(c->m->morph, c->of, cluster, (mt_point){-to.x, -to.y});
+    }
+    return MT_OK;
+}
+
+/* Parts two clusters, where they touch: the smaller makes way or, where that does not help, the larger. */
+static mt_status part(const mt_clusters *c, int p, int q) {
+    bool touch;
+    mt_status status = do_touch(c, p, q, &touch);
+    if (status != MT_OK || !touch) return status;
+    int small = fabs(c->area[p]) <= fabs(c->area[q]) ? p : q, large = p + q - small, before = c->m->by.parts;
+    status = move_away(c, small, large);
+    return status == MT_OK && c->m->by.parts == before ? move_away(c, large, small) : status;
+}
+
+mt_status mt_stand_aside(mt_mending *m) {
+    mt_clusters clusters;
+    mt_status status = gather(m, &clusters);
+    for (int q = 1; status == MT_OK && q < m->morph->contour_count; q++)
+        for (int p = 0; status == MT_OK && p < q && mt_mend_goes_on(m); p++)
+            if (clusters.of[p] == p && clusters.of[q] == q) status = part(&clusters, p, q);
+    return status;
+}

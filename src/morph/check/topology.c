@@ -1,0 +1,120 @@
+#include "morph/check/topology.h"
+
+#include <math.h>
+
+#include "geometry/limits.h"
+#include "geometry/union.h"
+
+/* ---- one shape ------------------------------------------------------------------------------------------- */
+
+/* Twice an area in grid units squared, in square thousandths of the em. */
+static double thousandths(int64_t area2) {
+    return (double)area2 / 2 / (MT_EM / 1000.0) / (MT_EM / 1000.0);
+}
+
+static bool is_seam(const mt_ring *ring) {
+    return fabs((double)mt_ring_area2(ring)) < MT_SEAM_WIDTH * mt_ring_length(ring);
+}
+
+static void count_part(int64_t area2, int *parts, int *crumbs) {
+    if (thousandths(area2) >= MT_CRUMB)
+        ++*parts;
+    else
+        ++*crumbs;
+}
+
+mt_census mt_census_of(const mt_shape *shape) {
+    mt_census census = {.area = thousandths(mt_shape_area2(shape)) / 1e6};
+    for (int k = 0; k < shape->count; k++) {
+        const mt_component *component = &shape->components[k];
+        if (!is_seam(&component->rings[0]))
+            count_part(mt_component_area2(component), &census.components, &census.crumbs);
+        for (int i = 1; i < component->count; i++)
+            if (!is_seam(&component->rings[i]))
+                count_part(-mt_ring_area2(&component->rings[i]), &census.holes, &census.crumbs);
+    }
+    return census;
+}
+
+/* ---- on the way ------------------------------------------------------------------------------------------ */
+
+int mt_count_excess(int count, int a, int b) {
+    int least = a < b ? a : b, most = a < b ? b : a;
+    return count > most ? count - most : count < least ? least - count : 0;
+}
+
+double mt_area_excess(double area, double a, double b) {
+    double most = fmax(a, b), least = fmin(a, b);
+    return most > 0 ? fmax(0, fmax(area - most, least - area)) / most : 0;
+}
+
+double mt_census_place(const mt_morph *morph, int number) {
+    int from_half = (number + 1) / 2, half = (MT_CENSUS_STEPS + 1) / 2;
+    bool before = (number % 2 != 0) == (mt_shape_area2(&morph->a.whole) >= mt_shape_area2(&morph->b.whole));
+    return (double)(before ? half - from_half : half + from_half) / (MT_CENSUS_STEPS + 1);
+}
+
+static int fewer_than_both(int count, int a, int b) {
+    return count < a && count < b ? mt_count_excess(count, a, b) : 0;
+}
+
+static mt_straying straying(const mt_census *at, const mt_census *a, const mt_census *b) {
+    return (mt_straying){.parts = mt_count_excess(at->components, a->components, b->components) +
+                                  mt_count_excess(at->holes, a->holes, b->holes),
+                         .merged = fewer_than_both(at->components, a->components, b->components),
+                         .opened = fewer_than_both(at->holes, a->holes, b->holes),
+                         .ink = mt_area_excess(at->area, a->area, b->area)};
+}
+
+static mt_straying worse(mt_straying p, mt_straying q) {
+    return q.parts > p.parts ? q : p;
+}
+
+/* At one place, flattened within the params' tolerance: as it is drawn and, where rings lie over one another, as it is meant. */
+static mt_status stray_at(const mt_morph *morph, const mt_census ends[2], double t, const mt_params *params,
+                          mt_arena *arena, mt_straying *by) {
+    mt_arena_place before = mt_arena_mark(arena);
+    mt_rings rings;
+    mt_shape drawn, meant;
+    mt_census at;
+    mt_status status = mt_morph_rings(morph, mt_weights_at(t), params, arena, &rings);
+    if (status == MT_OK) status = mt_union(&rings, MT_NONZERO, arena, &drawn);
+    if (status == MT_OK) {
+        at = mt_census_of(&drawn);
+        *by = straying(&at, &ends[0], &ends[1]);
+    }
+    if (status == MT_OK && mt_component_area2(&rings) != mt_shape_area2(&drawn)) {
+        status = mt_union(&rings, MT_POSITIVE, arena, &meant);
+        if (status == MT_OK) at = mt_census_of(&meant);
+        if (status == MT_OK) *by = worse(*by, straying(&at, &ends[0], &ends[1]));
+    }
+    if (status == MT_OK) by->corners = mt_rings_corners(&rings);
+    mt_arena_rewind(arena, before);
+    return status;
+}
+
+/* Chords may touch where the curves do not: what strays is looked at again, more finely. */
+mt_status mt_morph_strays(const mt_morph *morph, int enough, const mt_params *params, mt_arena *arena,
+                          mt_straying *by) {
+    const mt_census ends[] = {mt_census_of(&morph->a.whole), mt_census_of(&morph->b.whole)};
+    mt_params fine = *params;
+    mt_straying all = {0};
+    fine.tolerance /= MT_OVERLAP_CARE;
+    for (int i = 0; all.parts < enough && i < MT_CENSUS_STEPS; i++) {
+        mt_straying here;
+        double t = mt_census_place(morph, i);
+        mt_status status = stray_at(morph, ends, t, params, arena, &here);
+        if (status == MT_OK) all.corners += here.corners;
+        if (status == MT_OK && here.parts > 0) {
+            status = stray_at(morph, ends, t, &fine, arena, &here);
+            all.corners += here.corners;
+        }
+        if (status != MT_OK) return status;
+        all.parts += here.parts;
+        all.merged += here.merged;
+        all.opened += here.opened;
+        all.ink = fmax(all.ink, here.ink);
+    }
+    *by = all;
+    return MT_OK;
+}

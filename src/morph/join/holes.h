@@ -1,0 +1,30 @@
+/* The holes of two parts that are joined: paired, slit open, or closed. */
+#ifndef MT_HOLES_H
+#define MT_HOLES_H
+
+#include "morph/join/join.h"
+
+/* Which holes of the two parts go together, by their indices; 0 where a hole has no counterpart. */
+typedef struct mt_hole_pairs {
+    int *in_b; /* of each ring of A */
+    int *in_a; /* of each ring of B */
+} mt_hole_pairs;
+
+/* Pairs holes, and slits those open that have no counterpart and are open on the other side: the parts' components may have
+ * fewer rings afterwards. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
+mt_status mt_pair_holes(mt_joining *j, mt_hole_pairs *pairs);
+
+/* What a ring without a counterpart closes into. */
+typedef struct mt_closing {
+    mt_box box; /* of the ring's glyph */
+    const mt_shape *ink;
+    mt_box ink_box; /* of the other glyph */
+    const mt_params *params;
+} mt_closing;
+
+/* A ring's own contour on the one side, all of it at one point on the other, in the ink there. *masters is empty when the ring is a
+ * seam (mt_fit). As above. */
+mt_status mt_close_ring(const mt_ring *ring, bool in_a, const mt_closing *closing, mt_arena *arena,
+                        mt_masters *masters);
+
+#endif

@@ -1,0 +1,156 @@
+#include "morph/join/join.h"
+
+#include <math.h>
+
+#include "geometry/limits.h"
+#include "geometry/union.h"
+#include "morph/align/align.h"
+#include "morph/align/cache.h"
+#include "morph/fit/contour_pair.h"
+#include "morph/fit/smooth.h"
+#include "morph/join/holes.h"
+
+/* Places along a ring that are aligned, at least; more where the drawing has more vertices. */
+#define STOPS_A_RING 140.0
+
+/* How far a master may depart from its curve for the sake of smoothness on the way, in tolerances of the fit. */
+#define SMOOTHING 2.0
+
+/* How much of the half-way ink contours may cover twice, or miss. */
+#define OVERLAP_MOST 0.25
+
+/* ---- two rings ----------------------------------------------------------------------------------------- */
+
+/* Aligns two rings and fits a contour to them. *cost: of the alignment. */
+static mt_status fit_rings(const mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters,
+                           double *cost) {
+    mt_stops a, b;
+    mt_links pins;
+    mt_alignment alignment;
+    double chord = j->terms->manner.chord, fit = mt_grid_units(j->terms->params->fit);
+    mt_status status = mt_ring_stops(p, chord, STOPS_A_RING, j->arena, &a);
+    if (status == MT_OK) status = mt_ring_stops(q, chord, STOPS_A_RING, j->arena, &b);
+    if (status == MT_OK) status = mt_pins_of(j->terms->hints, &a, &b, j->arena, &pins);
+    if (status == MT_OK)
+        status = mt_align(&a, j->a.box, &b, j->b.box, &j->terms->manner.align, &pins, j->arena, &alignment);
+    if (status != MT_OK) return status;
+    *cost = alignment.cost;
+    status = mt_masters_fit(&a, &b, &alignment, fit, j->arena, masters);
+    return status == MT_OK ? mt_masters_smooth(masters, SMOOTHING * fit, j->arena) : status;
+}
+
+/* The same, where it has not been done before. Hints pin rings otherwise in each case. */
+static mt_status join_rings(mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters) {
+    mt_known *known = j->terms->hints->count ? NULL : j->terms->manner.known;
+    mt_known_case of = {p, q, j->a.box, j->b.box, j->terms->manner.align, true};
+    const mt_known_pair *before = mt_known_find(known, &of);
+    double cost = before ? before->cost : 0;
+    mt_status status = MT_OK;
+    if (before)
+        *masters = before->masters;
+    else
+        status = fit_rings(j, p, q, masters, &cost);
+    if (status == MT_OK && !before) status = mt_known_add(known, &of, cost, masters, j->arena);
+    j->dearest = fmax(j->dearest, cost);
+    return status;
+}
+
+/* ---- whether it can be drawn --------------------------------------------------------------------------- */
+
+/* Whether the half-way contours keep clear of themselves and of each other, but for a little. */
+static mt_status is_drawable(const mt_joining *j, const mt_masters *contours, int count, bool *drawable) {
+    mt_outline outline = {count, mt_arena_new(j->arena, (size_t)count, sizeof(mt_contour))};
+    mt_rings rings;
+    mt_shape shape;
+    if (!outline.contours) return MT_NO_MEMORY;
+    mt_status status = MT_OK;
+    for (int i = 0; status == MT_OK && i < count; i++)
+        status = mt_masters_mix(&contours[i], mt_weights_at(0.5), j->arena, &outline.contours[i]);
+    if (status == MT_OK) status = mt_flatten(&outline, j->terms->manner.chord, j->arena, &rings);
+    if (status == MT_OK) status = mt_union(&rings, MT_NONZERO, j->arena, &shape);
+    if (status != MT_OK) return status;
+    double ink = (double)mt_shape_area2(&shape), drawn = (double)mt_component_area2(&rings);
+    *drawable = fabs(drawn - ink) <= OVERLAP_MOST * ink;
+    return MT_OK;
+}
+
+/* ---- parts that are alike ------------------------------------------------------------------------------ */
+
+/* Whether b is a, moved: the same points all by the same way. */
+static bool is_moved(const mt_component *a, const mt_component *b, mt_point *by) {
+    if (a->count != b->count) return false;
+    mt_point p = a->rings[0].points[0], q = b->rings[0].points[0];
+    *by = (mt_point){q.x - p.x, q.y - p.y};
+    for (int i = 0; i < a->count; i++) {
+        if (a->rings[i].count != b->rings[i].count) return false;
+        for (int k = 0; k < a->rings[i].count; k++) {
+            p = a->rings[i].points[k];
+            if (!mt_point_equal(b->rings[i].points[k], (mt_point){p.x + by->x, p.y + by->y})) return false;
+        }
+    }
+    return true;
+}
+
+static mt_status moved_contour(const mt_contour *contour, mt_point by, mt_arena *arena, mt_contour *moved) {
+    *moved = (mt_contour){contour->count, mt_arena_new(arena, (size_t)contour->count, sizeof(mt_segment))};
+    if (!moved->segments) return MT_NO_MEMORY;
+    for (int i = 0; i < contour->count; i++) {
+        mt_segment s = contour->segments[i];
+        s.control[0] = (mt_point){s.control[0].x + by.x, s.control[0].y + by.y};
+        s.end = (mt_point){s.end.x + by.x, s.end.y + by.y};
+        moved->segments[i] = s;
+    }
+    return MT_OK;
+}
+
+/* Theorem 1 for a part: where both are alike, there is nothing to align, and each in-between is alike too. */
+static mt_status join_alike(const mt_joining *j, mt_point by, mt_masters *contours, int *count) {
+    mt_outline outline;
+    double tolerance = j->terms->manner.chord, fit = mt_grid_units(j->terms->params->fit);
+    mt_status status = mt_fit(j->a.component, tolerance, fit, j->arena, &outline);
+    for (int i = 0; status == MT_OK && i < outline.count; i++) {
+        contours[*count].a = outline.contours[i];
+        status = moved_contour(&outline.contours[i], by, j->arena, &contours[(*count)++].b);
+    }
+    return status;
+}
+
+/* ---- parts --------------------------------------------------------------------------------------------- */
+
+static mt_status close_hole(const mt_joining *j, const mt_ring *hole, bool in_a, mt_masters *contours,
+                            int *count) {
+    const mt_part *own = in_a ? &j->a : &j->b, *other = in_a ? &j->b : &j->a;
+    mt_shape ink = {1, (mt_component *)other->component};
+    mt_closing closing = {own->box, &ink, other->box, j->terms->params};
+    mt_status status = mt_close_ring(hole, in_a, &closing, j->arena, &contours[*count]);
+    *count += status == MT_OK && contours[*count].a.count > 0;
+    return status;
+}
+
+static mt_status join_all(mt_joining *j, mt_masters *contours, int *count) {
+    mt_hole_pairs pairs;
+    mt_status status = mt_pair_holes(j, &pairs);
+    const mt_component *a = j->a.component, *b = j->b.component;
+    if (status == MT_OK) status = join_rings(j, &a->rings[0], &b->rings[0], &contours[(*count)++]);
+    for (int i = 1; status == MT_OK && i < a->count; i++)
+        if (pairs.in_b[i])
+            status = join_rings(j, &a->rings[i], &b->rings[pairs.in_b[i]], &contours[(*count)++]);
+        else
+            status = close_hole(j, &a->rings[i], true, contours, count);
+    for (int i = 1; status == MT_OK && i < b->count; i++)
+        if (!pairs.in_a[i]) status = close_hole(j, &b->rings[i], false, contours, count);
+    return status;
+}
+
+mt_status mt_join(mt_part a, mt_part b, double most, const mt_terms *terms, mt_arena *arena,
+                  mt_masters *contours, int *count) {
+    mt_joining j = {a, b, terms, arena, 0};
+    mt_point by;
+    if (is_moved(a.component, b.component, &by)) return join_alike(&j, by, contours, count);
+    int before = *count;
+    bool drawable = false;
+    mt_status status = join_all(&j, contours, count);
+    if (status == MT_OK) status = is_drawable(&j, contours + before, *count - before, &drawable);
+    if (status == MT_OK && (!drawable || j.dearest > most)) *count = before;
+    return status;
+}

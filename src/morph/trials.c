@@ -1,0 +1,102 @@
+#include "morph/trials.h"
+
+#include <limits.h>
+#include <math.h>
+
+#include "geometry/limits.h"
+#include "morph/align/cache.h"
+#include "morph/check/counters.h"
+#include "morph/check/reconnect.h"
+#include "morph/check/separate.h"
+#include "morph/join/joint.h"
+#include "morph/paper/pieces.h"
+
+/* The manners that were tried. */
+typedef struct mt_trials {
+    int count;
+    mt_morph *morphs; /* as they were joined */
+} mt_trials;
+
+/* ---- one manner ---------------------------------------------------------------------------------------------- */
+
+/* What the joint method cannot take, the paper's own still can. */
+static mt_status join(const mt_morph *matched, const mt_terms *terms, mt_arena *arena, mt_morph *joined) {
+    *joined = *matched;
+    mt_status status = mt_joint(joined, terms, arena);
+    if (status == MT_TOO_LARGE || status == MT_BAD_GEOMETRY) {
+        *joined = *matched;
+        status = MT_OK;
+    }
+    return status == MT_OK ? mt_map_pieces(joined, terms->params, arena) : status;
+}
+
+/* Parts that come apart are drawn together, those that touch made to stand aside, counters kept clear. */
+static mt_status mend(mt_mending *m) {
+    mt_status status = mt_mend_begin(m);
+    if (status == MT_OK && m->by.parts > 0) status = mt_draw_together(m);
+    if (status == MT_OK && m->by.merged > 0) status = mt_stand_aside(m);
+    if (status == MT_OK && m->by.opened > 0) status = mt_keep_counters(m);
+    return status;
+}
+
+/* ---- one after the other ------------------------------------------------------------------------------------- */
+
+static bool same_segment(const mt_segment *p, const mt_segment *q) {
+    return p->degree == q->degree && mt_point_equal(p->end, q->end) &&
+           (p->degree == 1 || mt_point_equal(p->control[0], q->control[0]));
+}
+
+static bool same_contour(const mt_contour *p, const mt_contour *q) {
+    if (p->count != q->count) return false;
+    for (int i = 0; i < p->count; i++)
+        if (!same_segment(&p->segments[i], &q->segments[i])) return false;
+    return true;
+}
+
+static bool is_same(const mt_morph *p, const mt_morph *q) {
+    if (p->links.count > 0 || q->links.count > 0 || p->contour_count != q->contour_count) return false;
+    for (int i = 0; i < p->contour_count; i++)
+        if (!same_contour(&p->contours[i].a, &q->contours[i].a) ||
+            !same_contour(&p->contours[i].b, &q->contours[i].b))
+            return false;
+    return true;
+}
+
+/* Many manners lead to the same. */
+static bool was_tried(const mt_trials *trials, const mt_morph *morph) {
+    for (int i = 0; i < trials->count; i++)
+        if (is_same(&trials->morphs[i], morph)) return true;
+    return false;
+}
+
+/* Whether a manner keeps parts and holes better, and the ink no worse where that strays too. */
+static bool is_sounder(mt_straying tried, mt_straying best) {
+    return tried.parts < best.parts && (tried.ink <= MT_INK_EXCESS || tried.ink <= best.ink);
+}
+
+mt_status mt_join_soundly(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
+    mt_morph best = *morph;
+    mt_straying least = {.parts = INT_MAX, .ink = INFINITY};
+    mt_trials trials = {0, mt_arena_new(arena, (size_t)mt_manner_count(), sizeof(mt_morph))};
+    mt_known *known = mt_arena_new(arena, 1, sizeof *known);
+    int64_t effort = MT_EFFORT;
+    if (!known || !trials.morphs) return MT_NO_MEMORY;
+    for (int i = 0; i < mt_manner_count() && least.parts > 0 && effort > 0; i++) {
+        mt_terms terms = {hints, params, mt_manner_at(i, params)};
+        terms.manner.known = known;
+        mt_morph *tried = &trials.morphs[trials.count];
+        mt_status status = join(morph, &terms, arena, tried);
+        if (status != MT_OK) return status;
+        if (was_tried(&trials, tried)) continue;
+        trials.count++;
+        mt_mending m = {.morph = tried, .params = params, .arena = arena, .effort = effort};
+        status = mend(&m);
+        if (status != MT_OK) return status;
+        effort = m.effort;
+        if (!is_sounder(m.by, least)) continue;
+        least = m.by;
+        best = *tried;
+    }
+    *morph = best;
+    return MT_OK;
+}

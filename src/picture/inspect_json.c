@@ -1,0 +1,209 @@
+/* The inspection as data.
+ *
+ *     {
+ *       "format": "morphotype inspection",
+ *       "version": 1,
+ *       "a": {"font": SPEC, "family": NAME, "style": NAME},     the fonts; "b" only where there are two
+ *       "b": {…},
+ *       "glyphs": [                                             in the order of the text
+ *         {
+ *           "character": "形",
+ *           "code_point": 24418,
+ *           "a": SIDE,
+ *           "b": SIDE,                                          this and all below: only with two fonts
+ *           "rotation": 0,                                      degrees by which B is turned, formula (5)'s q
+ *           "matches": [[i, k], …],                             component i of A goes with component k of B
+ *           "contours": [CONTOUR, …],                           of matched components that are aligned whole
+ *           "links": [[i, k], …]                                piece i of A goes with piece k of B, in all
+ *                                                               other components: the paper's list R
+ *         }
+ *       ]
+ *     }
+ *
+ * A SIDE is one font's glyph:
+ *
+ *     {
+ *       "advance": 0.83,                                        em
+ *       "area": 0.16,                                           em²
+ *       "components": [                                         connected regions of ink
+ *         {"area": 0.07, "holes": 0, "piece_count": 12, "first_piece": 0}
+ *       ],
+ *       "pieces": [                                             convex; numbered through all components
+ *         {"component": 0, "area": 0.01, "centre": [0.2, 0.4], "corners": 4}
+ *       ]
+ *     }
+ *
+ * A CONTOUR moves between two contours of as many lines and curves, every point on a straight line:
+ *
+ *     {
+ *       "a": [[0.1, 0.7], …],                                   where the lines and curves of A's end, in order
+ *       "b": [[0.2, 0.7], …]                                    B's, as many
+ *     }
+ *
+ * Lengths are in em and areas in em², to 9 decimals; y runs upwards from the baseline. Points of B are
+ * given as it is drawn, before it is turned. A font's "style" may be "". Indices count from 0.
+ */
+#include "base/json.h"
+#include "base/utf.h"
+#include "geometry/limits.h"
+#include "picture/picture.h"
+#include "picture/turn.h"
+#include "picture/view.h"
+
+static double em(double grid_units) {
+    return grid_units / MT_EM;
+}
+
+/* From twice an area in grid units squared. */
+static double em2(int64_t area2) {
+    return (double)area2 / 2 / MT_EM / MT_EM;
+}
+
+static void add_font(mt_json *json, const char *key, const mt_font *font) {
+    mt_json_object(json, key);
+    mt_json_text(json, "font", mt_font_spec(font));
+    mt_json_text(json, "family", mt_font_family(font));
+    mt_json_text(json, "style", mt_font_style(font));
+    mt_json_object_end(json);
+}
+
+static void add_component(mt_json *json, const mt_side *side, int index) {
+    const mt_component *component = &side->shape.components[index];
+    mt_json_one_line(json);
+    mt_json_object(json, NULL);
+    mt_json_number(json, "area", em2(mt_component_area2(component)));
+    mt_json_int(json, "holes", component->count - 1);
+    mt_json_int(json, "piece_count", side->first[index + 1] - side->first[index]);
+    mt_json_int(json, "first_piece", side->first[index]);
+    mt_json_object_end(json);
+}
+
+static void add_point(mt_json *json, const char *key, double x, double y, const mt_turn *turn) {
+    mt_turn_point(turn, &x, &y);
+    mt_json_array(json, key);
+    mt_json_number(json, NULL, em(x));
+    mt_json_number(json, NULL, em(y));
+    mt_json_array_end(json);
+}
+
+static void add_piece(mt_json *json, const mt_ring *piece, int component, const mt_turn *turn) {
+    double x, y;
+    mt_ring_centre(piece, &x, &y);
+    mt_json_one_line(json);
+    mt_json_object(json, NULL);
+    mt_json_int(json, "component", component);
+    mt_json_number(json, "area", em2(mt_ring_area2(piece)));
+    add_point(json, "centre", x, y, turn);
+    mt_json_int(json, "corners", piece->count);
+    mt_json_object_end(json);
+}
+
+static void add_side(mt_json *json, const char *key, const mt_side *side, double advance,
+                     const mt_turn *turn) {
+    mt_json_object(json, key);
+    mt_json_number(json, "advance", em(advance));
+    mt_json_number(json, "area", em2(mt_shape_area2(&side->shape)));
+    mt_json_array(json, "components");
+    for (int i = 0; i < side->shape.count; i++) add_component(json, side, i);
+    mt_json_array_end(json);
+    mt_json_array(json, "pieces");
+    for (int i = 0; i < side->shape.count; i++)
+        for (int k = side->first[i]; k < side->first[i + 1]; k++)
+            add_piece(json, &side->pieces.rings[k], i, turn);
+    mt_json_array_end(json);
+    mt_json_object_end(json);
+}
+
+static void add_links(mt_json *json, const char *key, const mt_links *links) {
+    mt_json_array(json, key);
+    for (int i = 0; i < links->count; i++) {
+        mt_json_one_line(json);
+        mt_json_array(json, NULL);
+        mt_json_int(json, NULL, links->links[i].a);
+        mt_json_int(json, NULL, links->links[i].b);
+        mt_json_array_end(json);
+    }
+    mt_json_array_end(json);
+}
+
+static void add_ends(mt_json *json, const char *key, const mt_contour *contour, const mt_turn *turn) {
+    mt_json_one_line(json);
+    mt_json_array(json, key);
+    for (int i = 0; i < contour->count; i++)
+        add_point(json, NULL, contour->segments[i].end.x, contour->segments[i].end.y, turn);
+    mt_json_array_end(json);
+}
+
+static void add_contours(mt_json *json, const mt_morph *morph, const mt_turn *none, const mt_turn *turn) {
+    mt_json_array(json, "contours");
+    for (int i = 0; i < morph->contour_count; i++) {
+        mt_json_object(json, NULL);
+        add_ends(json, "a", &morph->contours[i].a, none);
+        add_ends(json, "b", &morph->contours[i].b, turn);
+        mt_json_object_end(json);
+    }
+    mt_json_array_end(json);
+}
+
+static void add_view(mt_json *json, const mt_view *view) {
+    const mt_morph *morph = &view->pair.morph;
+    mt_turn none = {.cosine = 1}, turn = mt_turn_back(&view->pair);
+    char character[5] = "";
+    mt_utf8_put(view->code_point, character);
+    mt_json_object(json, NULL);
+    mt_json_text(json, "character", character);
+    mt_json_int(json, "code_point", view->code_point);
+    add_side(json, "a", &morph->a, view->pair.advance_a, &none);
+    if (view->paired) {
+        add_side(json, "b", &morph->b, view->pair.advance_b, &turn);
+        mt_json_number(json, "rotation", morph->degrees);
+        add_links(json, "matches", &morph->matches);
+        add_contours(json, morph, &none, &turn);
+        add_links(json, "links", &morph->links);
+    }
+    mt_json_object_end(json);
+}
+
+static void add_heading(mt_json *json, const mt_font *a, const mt_font *b) {
+    mt_json_text(json, "format", "morphotype inspection");
+    mt_json_int(json, "version", 1);
+    add_font(json, "a", a);
+    if (b) add_font(json, "b", b);
+}
+
+static mt_status add_glyphs(mt_json *json, mt_font *a, mt_font *b, const mt_params *params,
+                            const mt_inspection *what, uint32_t *failed) {
+    mt_arena arena = {0};
+    mt_status status = MT_OK;
+    mt_json_array(json, "glyphs");
+    for (int i = 0; status == MT_OK && i < what->count; i++) {
+        mt_view view;
+        mt_arena_reset(&arena);
+        status = mt_view_prepare(a, b, what->code_points[i], what->hints, params, &arena, &view);
+        if (status == MT_OK)
+            add_view(json, &view);
+        else if (failed)
+            *failed = what->code_points[i];
+    }
+    mt_json_array_end(json);
+    mt_arena_release(&arena);
+    return status == MT_OK ? json->status : status;
+}
+
+mt_status mt_inspect_json(mt_font *a, mt_font *b, const mt_params *params, const mt_inspection *what,
+                          uint8_t **bytes, size_t *length, uint32_t *failed) {
+    mt_json json = {0};
+    if (failed) *failed = 0;
+    mt_json_object(&json, NULL);
+    add_heading(&json, a, b);
+    mt_status status = add_glyphs(&json, a, b, params, what, failed);
+    mt_json_object_end(&json);
+    if (status == MT_OK) status = json.status;
+    if (status == MT_OK) {
+        *bytes = json.text.bytes;
+        *length = json.text.length;
+    } else {
+        mt_buffer_free(&json.text);
+    }
+    return status;
+}

@@ -1,0 +1,295 @@
+/* The report as a page: one file that needs no script and no network, in light and dark, on wide and narrow screens. */
+#include "base/html.h"
+#include "base/workers.h"
+#include "geometry/limits.h"
+#include "report/report.h"
+#include "source/font.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef struct mt_page {
+    const mt_report *report;
+    mt_buffer *text;
+    mt_status status; /* once it is not MT_OK nothing more is written */
+    mt_buffer *
+        strips; /* of the first MT_REPORT_STRIPS flagged glyphs that did not fail, by their place in the report */
+    int strip_count;
+} mt_page;
+
+/* ---- writing ------------------------------------------------------------------------------------------- */
+
+/* As it is: markup. */
+static void put(mt_page *page, const char *markup) {
+    if (page->status == MT_OK) page->status = mt_buffer_add(page->text, markup, strlen(markup));
+}
+
+/* Markup with whole numbers and short words in it. */
+__attribute__((format(printf, 2, 3))) static void put_format(mt_page *page, const char *format, ...) {
+    char markup[512];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(markup, sizeof markup, format, arguments);
+    va_end(arguments);
+    put(page, markup);
+}
+
+static void put_character(mt_page *page, uint32_t code_point) {
+    if (page->status == MT_OK) page->status = mt_html_character(page->text, code_point);
+}
+
+static void put_text(mt_page *page, const char *utf8) {
+    if (page->status == MT_OK) page->status = mt_html_text(page->text, utf8);
+}
+
+/* "+1.3 %"; digits by hand, since the C library's point is another one in some locales. */
+static void put_percent(mt_page *page, const char *sign, double share) {
+    int64_t tenths = llround(fabs(share) * 1000);
+    put_format(page, "%s%" PRId64 ".%" PRId64 " %%", sign, tenths / 10, tenths % 10);
+}
+
+/* ---- strips -------------------------------------------------------------------------------------------- */
+
+typedef struct mt_strip_job {
+    const mt_report *report;
+    mt_buffer *strips;
+    int first; /* flagged glyphs before this one failed, and have no strip */
+    pthread_mutex_t fonts;
+} mt_strip_job;
+
+/* A task. */
+static mt_status draw_strip(int index, mt_arena *scratch, void *user) {
+    mt_strip_job *job = user;
+    const mt_report_request *request = &job->report->request;
+    const mt_report_glyph *glyph = &job->report->glyphs[job->first + index];
+    mt_glyph_pair pair;
+    mt_status status = mt_report_prepare(request, &job->fonts, glyph->code_point, scratch, &pair);
+    if (status != MT_OK) return status;
+    return mt_report_strip(&pair, request->params, glyph, scratch, &job->strips[index]);
+}
+
+/* Failed glyphs are the worst and stand before all others. */
+static mt_status draw_strips(mt_page *page) {
+    const mt_report *report = page->report;
+    int count = report->summary.flagged - report->summary.failed;
+    mt_strip_job job = {.report = report, .first = report->summary.failed};
+    page->strip_count = count < MT_REPORT_STRIPS ? count : MT_REPORT_STRIPS;
+    if (page->strip_count == 0) return MT_OK;
+    job.strips = page->strips = mt_new((size_t)page->strip_count, sizeof *page->strips);
+    if (!page->strips) return MT_NO_MEMORY;
+    mt_work work = {.count = page->strip_count,
+                    .task = draw_strip,
+                    .user = &job,
+                    .threads = report->request.params->threads};
+    pthread_mutex_init(&job.fonts, NULL);
+    mt_status status = mt_work_run(&work);
+    pthread_mutex_destroy(&job.fonts);
+    return status;
+}
+
+static void put_strip(mt_page *page, int index) {
+    int strip = index - page->report->summary.failed;
+    if (page->status != MT_OK || strip < 0 || strip >= page->strip_count) return;
+    put(page, "<div class=\"strip\">");
+    if (page->status == MT_OK)
+        page->status = mt_buffer_add(page->text, page->strips[strip].bytes, page->strips[strip].length);
+    put(page, "</div>");
+}
+
+/* ---- the head ------------------------------------------------------------------------------------------ */
+
+static const char style[] =
+    ":root{color-scheme:light dark;--line:#ccc;--quiet:#666;--off:#b3261e}"
+    "@media(prefers-color-scheme:dark){:root{--line:#444;--quiet:#aaa;--off:#ff897d}}"
+    "body{font:15px/1.45 system-ui,sans-serif;margin:1rem auto;max-width:68rem;padding:0 .75rem}"
+    "h1{font-size:1.4rem}h2{font-size:1.15rem;margin-top:2rem}code{overflow-wrap:anywhere}"
+    ".scroll{overflow-x:auto}table{border-collapse:collapse;width:100%}"
+    "th,td{text-align:left;padding:.25rem .6rem .25rem 0;white-space:nowrap;vertical-align:baseline}"
+    "thead th{color:var(--quiet);font-weight:normal;border-bottom:1px solid var(--line)}"
+    "tbody{border-bottom:1px solid var(--line)}"
+    "td.look{white-space:normal;padding-bottom:.6rem}td.look ul{margin:0;padding-left:1.1rem}"
+    ".char{font-size:1.4rem;margin-right:.4rem}small{color:var(--quiet)}"
+    ".strip{display:flex;flex-wrap:wrap;gap:.25rem;margin-top:.4rem}"
+    "svg path{fill:currentColor}svg.off{color:var(--off)}"
+    "@media(max-width:40rem){body{font-size:13px}th,td{padding-right:.4rem}}";
+
+static void put_head(mt_page *page) {
+    put(page, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>");
+    put_text(page, mt_font_family(page->report->request.a));
+    put(page, " – ");
+    put_text(page, mt_font_family(page->report->request.b));
+    put(page, ": which glyphs need a look</title>\n<style>");
+    put(page, style);
+    put(page, "</style>\n</head>\n<body>\n<h1>Which glyphs need a look</h1>\n");
+}
+
+static void put_font(mt_page *page, const char *t, const mt_font *font) {
+    put_format(page, "T = %s: <bdi>", t);
+    put_text(page, mt_font_family(font));
+    put(page, " ");
+    put_text(page, mt_font_style(font));
+    put(page, "</bdi> <code>");
+    put_text(page, mt_font_spec(font));
+    put(page, "</code><br>\n");
+}
+
+static void put_summary(mt_page *page) {
+    const mt_report *report = page->report;
+    const mt_report_summary *sum = &report->summary;
+    put(page, "<p>");
+    put_font(page, "0", report->request.a);
+    put_font(page, "1", report->request.b);
+    put_format(page, "Method: %s</p>\n",
+               report->request.params->method == MT_METHOD_JOINT ? "joint" : "paper");
+    put_format(page,
+               "<p>%d glyphs, <b>%d flagged</b>, %d of them failed. %d move by aligned contours, %d by "
+               "links, %d by both. ",
+               report->count, sum->flagged, sum->failed, sum->methods[MT_REPORT_ALIGNED],
+               sum->methods[MT_REPORT_LINKED], sum->methods[MT_REPORT_BOTH]);
+    put_percent(page, "Components and holes stay in the range of the two fonts’ in ",
+                (double)sum->in_range / report->count);
+    put_percent(page, " of the glyphs; ink does, or leaves it by no more than its limit, in ",
+                (double)sum->ink_near / report->count);
+    put(page, ".</p>\n");
+}
+
+static void put_legend(mt_page *page) {
+    put_format(page,
+               "<p><small>Measured at %d places. Components and holes are flagged when a count leaves the "
+               "range of the "
+               "ends’, ink when it leaves it by more than %d %% of the larger end, the half-way outline’s "
+               "points over "
+               "%d × those of the end with more + %d. ",
+               MT_REPORT_STEPS, (int)lround(100 * MT_INK_EXCESS), MT_REPORT_POINTS_TIMES,
+               MT_REPORT_POINTS_MORE);
+    put_format(
+        page,
+        "Kinks are corners of %d° … %d° half-way that neither end has; flagged over %d + 1 for each %d "
+        "points. "
+        "Crumbs are components and holes under %d square thousandths of the em; they count as nothing else. ",
+        (int)MT_REPORT_KINK_MIN, (int)MT_REPORT_KINK_MAX, MT_REPORT_KINKS, MT_REPORT_KINKS_POINTS,
+        (int)MT_CRUMB);
+    put(page,
+        "Counts read: first font / least–most in between / second font. Bend is the ink’s largest distance "
+        "from the straight line between the ends.</small></p>\n");
+}
+
+/* ---- the tables ---------------------------------------------------------------------------------------- */
+
+static int count_at(const mt_report_glyph *glyph, mt_report_flag flag, int step) {
+    return flag == MT_FLAG_HOLES ? glyph->ink[step].holes : glyph->ink[step].components;
+}
+
+/* "1 / 1–2 / 2" */
+static void put_counts(mt_page *page, const mt_report_glyph *glyph, mt_report_flag flag, int a, int b) {
+    int least = count_at(glyph, flag, 0), most = least;
+    for (int i = 1; i < MT_REPORT_STEPS; i++) {
+        int count = count_at(glyph, flag, i);
+        if (count < least) least = count;
+        if (count > most) most = count;
+    }
+    put_format(page, "<td>%d / %d", a, least);
+    if (most > least) put_format(page, "–%d", most);
+    put_format(page, " / %d</td>", b);
+}
+
+static void put_figures(mt_page *page, const mt_report_glyph *glyph) {
+    double bend = mt_report_ink_bend(glyph);
+    put_format(page, "<td>%s</td>", mt_report_method_name(glyph->method));
+    put_counts(page, glyph, MT_FLAG_COMPONENTS, glyph->ink_a.components, glyph->ink_b.components);
+    put_counts(page, glyph, MT_FLAG_HOLES, glyph->ink_a.holes, glyph->ink_b.holes);
+    put(page, "<td>");
+    put_percent(page, bend < 0 ? "−" : "+", bend);
+    put_format(page, "</td><td>%d / %d / %d</td><td>%d</td>", glyph->drawing_a.points,
+               glyph->drawing_half.points, glyph->drawing_b.points, mt_report_kinks(glyph));
+}
+
+static void put_row(mt_page *page, const mt_report_glyph *glyph) {
+    put(page, "<tr><th scope=\"row\"><bdi class=\"char\">");
+    if (!mt_html_is_control(glyph->code_point)) put_character(page, glyph->code_point);
+    put_format(page, "</bdi><small>U+%04lX</small></th>", (unsigned long)glyph->code_point);
+    if (glyph->status == MT_OK)
+        put_figures(page, glyph);
+    else
+        put(page, "<td colspan=\"6\"></td>");
+    put(page, "</tr>\n");
+}
+
+static void put_look(mt_page *page, int index) {
+    const mt_report_glyph *glyph = &page->report->glyphs[index];
+    char reason[MT_REPORT_REASON_ROOM];
+    put(page, "<tr><td class=\"look\" colspan=\"7\"><ul>");
+    for (unsigned flag = 1; flag <= MT_FLAG_ALL; flag <<= 1) {
+        if (!(glyph->flags & flag)) continue;
+        mt_report_reason(glyph, (mt_report_flag)flag, reason);
+        put_format(page, "<li>%s: ", mt_report_flag_name((mt_report_flag)flag));
+        put_text(page, reason);
+        put(page, "</li>");
+    }
+    put(page, "</ul>");
+    put_strip(page, index);
+    put(page, "</td></tr>\n");
+}
+
+static void begin_table(mt_page *page) {
+    put(page, "<div class=\"scroll\"><table>\n<thead><tr>");
+    put(page, "<th scope=\"col\">Glyph</th><th scope=\"col\">Method</th><th scope=\"col\">Components</th>"
+              "<th scope=\"col\">Holes</th><th scope=\"col\">Bend</th><th scope=\"col\">Points</th>"
+              "<th scope=\"col\">Kinks</th></tr></thead>\n");
+}
+
+static void put_flagged(mt_page *page) {
+    const mt_report *report = page->report;
+    int flagged = report->summary.flagged, drawable = flagged - report->summary.failed;
+    put_format(page, "<h2>Flagged, the worst first</h2>\n<p>%s", flagged ? "" : "None.");
+    if (flagged)
+        put(page,
+            "Each strip goes from T = 0 to T = 1 in eighths; coloured places are out of the ends’ range.");
+    if (drawable > page->strip_count)
+        put_format(page, " Only the worst %d of the %d have strips.", page->strip_count, drawable);
+    put(page, "</p>\n");
+    if (!flagged) return;
+    begin_table(page);
+    for (int i = 0; i < flagged; i++) {
+        put(page, "<tbody>");
+        put_row(page, &report->glyphs[i]);
+        put_look(page, i);
+        put(page, "</tbody>\n");
+    }
+    put(page, "</table></div>\n");
+}
+
+static void put_others(mt_page *page) {
+    const mt_report *report = page->report;
+    int flagged = report->summary.flagged;
+    if (flagged == report->count) return;
+    put_format(page, "<h2>The others</h2>\n<details><summary>%d glyphs without a flag</summary>\n",
+               report->count - flagged);
+    begin_table(page);
+    put(page, "<tbody>\n");
+    for (int i = flagged; i < report->count; i++) put_row(page, &report->glyphs[i]);
+    put(page, "</tbody>\n</table></div></details>\n");
+}
+
+mt_status mt_report_html(const mt_report *report, mt_buffer *text) {
+    mt_buffer made = {0};
+    mt_page page = {.report = report, .text = &made};
+    page.status = draw_strips(&page);
+    put_head(&page);
+    put_summary(&page);
+    put_legend(&page);
+    put_flagged(&page);
+    put_others(&page);
+    put(&page, "</body>\n</html>\n");
+    for (int i = 0; page.strips && i < page.strip_count; i++) mt_buffer_free(&page.strips[i]);
+    mt_free(page.strips);
+    if (page.status == MT_OK)
+        *text = made;
+    else
+        mt_buffer_free(&made);
+    return page.status;
+}

@@ -1,0 +1,132 @@
+/* The figures of one glyph: what is counted on each in-between, and on the ends to hold it against. */
+#include "geometry/limits.h"
+#include "geometry/union.h"
+#include "report/report.h"
+
+#include <math.h>
+
+double mt_report_t(int step) {
+    return (double)step / (MT_REPORT_STEPS - 1);
+}
+
+/* ---- ink ----------------------------------------------------------------------------------------------- */
+
+/* Chords may touch where the curves do not: what is not clean is looked at again, more finely. */
+static mt_status measure_ink(const mt_outline *outline, double tolerance, mt_arena *arena, mt_census *ink) {
+    mt_shape shape;
+    bool clean;
+    mt_status status = mt_outline_resolve(outline, tolerance, arena, &shape, &clean);
+    if (status == MT_OK && !clean)
+        status = mt_outline_resolve(outline, tolerance / MT_OVERLAP_CARE, arena, &shape, &clean);
+    if (status == MT_OK) *ink = mt_census_of(&shape);
+    return status;
+}
+
+/* ---- joins --------------------------------------------------------------------------------------------- */
+
+typedef struct mt_vector {
+    double x, y;
+} mt_vector;
+
+static mt_vector from_to(mt_point p, mt_point q) {
+    return (mt_vector){(double)q.x - p.x, (double)q.y - p.y};
+}
+
+static double length(mt_vector v) {
+    return hypot(v.x, v.y);
+}
+
+/* How a contour leaves point `start` along a segment, and how it comes to the segment's end. A control point that lies on
+ * the end says nothing of the direction. */
+static mt_vector leaving(mt_point start, const mt_segment *segment) {
+    for (int i = 0; i < segment->degree - 1; i++)
+        if (!mt_point_equal(segment->control[i], start)) return from_to(start, segment->control[i]);
+    return from_to(start, segment->end);
+}
+
+static mt_vector arriving(mt_point start, const mt_segment *segment) {
+    for (int i = segment->degree - 2; i >= 0; i--)
+        if (!mt_point_equal(segment->control[i], segment->end))
+            return from_to(segment->control[i], segment->end);
+    return from_to(start, segment->end);
+}
+
+static double turn(mt_vector in, mt_vector out) {
+    return fabs(atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y)) * 180 /
+           3.14159265358979323846;
+}
+
+static bool is_long(mt_point start, const mt_segment *segment) {
+    return length(from_to(start, segment->end)) >= mt_grid_units(MT_REPORT_KINK_LENGTH);
+}
+
+/* By how many degrees the contour turns where segment i ends; 0 where either side is too short to tell. */
+static double turn_after(const mt_contour *contour, int i) {
+    int n = contour->count;
+    const mt_segment *in = &contour->segments[i], *out = &contour->segments[(i + 1) % n];
+    mt_point start = contour->segments[(i + n - 1) % n].end;
+    if (!is_long(start, in) || !is_long(in->end, out)) return 0;
+    return turn(arriving(start, in), leaving(in->end, out));
+}
+
+void mt_report_count_corners(const mt_outline *outline, mt_report_drawing *drawing) {
+    drawing->corners = drawing->slight = 0;
+    for (int c = 0; c < outline->count; c++)
+        for (int i = 0; i < outline->contours[c].count; i++) {
+            double angle = turn_after(&outline->contours[c], i);
+            drawing->corners += angle >= MT_REPORT_KINK_MIN;
+            drawing->slight += angle >= MT_REPORT_KINK_MIN && angle <= MT_REPORT_KINK_MAX;
+        }
+}
+
+/* ---- the glyph ----------------------------------------------------------------------------------------- */
+
+static mt_status measure_drawing(const mt_outline *outline, int units, mt_arena *arena,
+                                 mt_report_drawing *drawing) {
+    mt_glyf glyf;
+    mt_status status = mt_outline_glyf(outline, 0, units, arena, &glyf);
+    if (status != MT_OK) return status;
+    drawing->points = glyf.contour_count ? glyf.ends[glyf.contour_count - 1] + 1 : 0;
+    mt_report_count_corners(outline, drawing);
+    return MT_OK;
+}
+
+static mt_status measure_end(const mt_shape *shape, const mt_params *params, int units, mt_arena *arena,
+                             mt_census *ink, mt_report_drawing *drawing) {
+    mt_outline outline;
+    mt_status status = mt_shape_outline(shape, params, arena, &outline);
+    if (status == MT_OK) status = measure_drawing(&outline, units, arena, drawing);
+    if (status == MT_OK) *ink = mt_census_of(shape);
+    return status;
+}
+
+static mt_status measure_step(const mt_morph *morph, int step, const mt_params *params, int units,
+                              mt_arena *arena, mt_report_glyph *glyph) {
+    mt_outline outline;
+    mt_status status = mt_morph_outline(morph, mt_weights_at(mt_report_t(step)), params, arena, &outline);
+    if (status == MT_OK)
+        status = measure_ink(&outline, mt_grid_units(params->tolerance), arena, &glyph->ink[step]);
+    if (status == MT_OK && step == MT_REPORT_HALF)
+        status = measure_drawing(&outline, units, arena, &glyph->drawing_half);
+    return status;
+}
+
+static mt_report_method method_of(const mt_morph *morph) {
+    if (morph->links.count == 0) return MT_REPORT_ALIGNED;
+    return morph->contour_count == 0 ? MT_REPORT_LINKED : MT_REPORT_BOTH;
+}
+
+mt_status mt_report_measure(const mt_glyph_pair *pair, const mt_params *params, int units, mt_arena *arena,
+                            mt_report_glyph *glyph) {
+    mt_report_glyph made = {.code_point = glyph->code_point, .method = method_of(&pair->morph)};
+    mt_arena_place before = mt_arena_mark(arena);
+    mt_status status = measure_end(&pair->a, params, units, arena, &made.ink_a, &made.drawing_a);
+    if (status == MT_OK) status = measure_end(&pair->b, params, units, arena, &made.ink_b, &made.drawing_b);
+    for (int i = 0; status == MT_OK && i < MT_REPORT_STEPS; i++) {
+        mt_arena_rewind(arena, before);
+        status = measure_step(&pair->morph, i, params, units, arena, &made);
+    }
+    mt_arena_rewind(arena, before);
+    if (status == MT_OK) *glyph = made;
+    return status;
+}

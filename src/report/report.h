@@ -1,0 +1,165 @@
+/* The report: every glyph of a blend measured at nine places, and those that need a look named with the
+ * reason. docs/guide.md ("report") describes what is measured and the data's schema.
+ *
+ *     report.c          the measuring of two fonts, on threads; sorting; the file
+ *     report_measure.c  the figures of one glyph
+ *     report_judge.c    which figures are out of their limits, in numbers and in words
+ *     report_json.c     the report as data
+ *     report_html.c     the report as a page, with strips by report_strip.c
+ */
+#ifndef MT_REPORT_H
+#define MT_REPORT_H
+
+#include "base/buffer.h"
+#include "blend/pair.h"
+#include "morph/check/topology.h"
+#include "morphotype.h"
+
+#include <pthread.h>
+
+/* Places are T = 0, 1/8 … 1; the middle one is half-way. */
+#define MT_REPORT_STEPS 9
+#define MT_REPORT_HALF (MT_REPORT_STEPS / 2)
+
+/* ---- limits ---------------------------------------------------------------------------------------------- */
+
+/* The half-way outline may have so many times the points of the end with more, and so many besides, which
+ * glyphs of few points need for serifs that only one end has. */
+#define MT_REPORT_POINTS_TIMES 2
+#define MT_REPORT_POINTS_MORE 8
+/* A join is a corner when it turns by more than a smooth one does after rounding, and a slight one when it
+ * turns by no more than the second figure, degrees; between curves or lines that are both at least so long,
+ * thousandths of the em: shorter ones are fillets. */
+#define MT_REPORT_KINK_MIN 4.0
+#define MT_REPORT_KINK_MAX 30.0
+#define MT_REPORT_KINK_LENGTH 4.0
+/* Kinks are slight corners that neither end has as corners, slight or not: a serif that grows out of a line
+ * passes through slight ones, and adds none to those of its end. So many are no flag, and one more for each so
+ * many points of the end with more, since a long outline has a few wherever two drawings differ. */
+#define MT_REPORT_KINKS 2
+#define MT_REPORT_KINKS_POINTS 20
+/* The page has strips of so many of the worst glyphs. */
+#define MT_REPORT_STRIPS 200
+
+/* ---- figures --------------------------------------------------------------------------------------------- */
+
+typedef enum mt_report_method {
+    MT_REPORT_ALIGNED, /* moves by contours alone; a blank too */
+    MT_REPORT_LINKED,  /* moves by the paper's links alone */
+    MT_REPORT_BOTH,
+} mt_report_method;
+
+/* What needs a look; bits. */
+typedef enum mt_report_flag {
+    MT_FLAG_FAILED = 1,
+    MT_FLAG_COMPONENTS = 2, /* a count is out of the ends' range at some place */
+    MT_FLAG_HOLES = 4,
+    MT_FLAG_INK = 8,
+    MT_FLAG_POINTS = 16,
+    MT_FLAG_KINKS = 32,
+    MT_FLAG_CRUMBS = 64, /* crumbs that neither end has */
+    MT_FLAG_ALL = 127,
+} mt_report_flag;
+
+/* How an outline is drawn. */
+typedef struct mt_report_drawing {
+    int points;  /* as 'glyf' has them */
+    int corners; /* joins that turn by MT_REPORT_KINK_MIN or more */
+    int slight;  /* of these, those that turn by MT_REPORT_KINK_MAX or less */
+} mt_report_drawing;
+
+typedef struct mt_report_glyph {
+    uint32_t code_point; /* the first character that it stands for */
+    mt_status status;    /* other than MT_OK: all that follows but flags and severity is 0 */
+    mt_report_method method;
+    mt_census ink_a, ink_b; /* as the fonts draw them */
+    mt_census ink[MT_REPORT_STEPS];
+    mt_report_drawing drawing_a, drawing_b, drawing_half; /* a's and b's fitted by themselves */
+    unsigned flags;
+    double severity; /* 0 without a flag */
+} mt_report_glyph;
+
+/* ---- one glyph ------------------------------------------------------------------------------------------- */
+
+/* The figures of a prepared pair, with points counted at `units` to the em; flags and severity are left to
+ * mt_report_judge. Leaves nothing in the arena. As mt_morph_outline, mt_outline_resolve and mt_outline_glyf.
+ */
+mt_status mt_report_measure(const mt_glyph_pair *pair, const mt_params *params, int units, mt_arena *arena,
+                            mt_report_glyph *glyph);
+/* The place of a step, 0 … MT_REPORT_STEPS - 1. */
+double mt_report_t(int step);
+/* The corners of an outline; leaves its points as they are. */
+void mt_report_count_corners(const mt_outline *outline, mt_report_drawing *drawing);
+
+/* Sets flags and severity: the sum, over what is flagged, of each excess relative to its limit. */
+void mt_report_judge(mt_report_glyph *glyph);
+
+/* How far a place's ink is out of the range of the ends': 0 within it, and > 0 outside. */
+double mt_report_ink_excess(const mt_report_glyph *glyph, int step); /* relative to the larger end */
+/* The largest deviation of the ink from the straight line between the ends, relative to the larger end; with
+ * its sign. */
+double mt_report_ink_bend(const mt_report_glyph *glyph);
+int mt_report_kinks(const mt_report_glyph *glyph);
+int mt_report_kinks_limit(const mt_report_glyph *glyph);
+int mt_report_points_limit(const mt_report_glyph *glyph);
+
+/* A flag's name, and its reason in a line of English: "3 components at T = 0.5, the ends have 1 and 2". */
+const char *mt_report_flag_name(mt_report_flag flag);
+#define MT_REPORT_REASON_ROOM 128
+void mt_report_reason(const mt_report_glyph *glyph, mt_report_flag flag, char text[MT_REPORT_REASON_ROOM]);
+const char *mt_report_method_name(mt_report_method method);
+
+/* ---- two fonts ------------------------------------------------------------------------------------------- */
+
+typedef struct mt_report_request {
+    mt_font *a, *b;
+    const mt_params *params;
+    const mt_hint_index *hints;  /* for both fonts; NULL: none */
+    const uint32_t *code_points; /* in any order; those that both fonts have are taken */
+    int count;                   /* 0: all that both fonts have */
+    mt_progress progress;        /* NULL is fine */
+    void *user;
+} mt_report_request;
+
+typedef struct mt_report_summary {
+    int flagged, failed;
+    int methods[3]; /* glyphs that did not fail, by mt_report_method */
+    int in_range;   /* glyphs whose components and holes are in the ends' range at every place */
+    int ink_near;   /* glyphs whose ink is within MT_REPORT_INK of it */
+} mt_report_summary;
+
+typedef struct mt_report {
+    mt_report_request request;
+    int count;
+    mt_report_glyph *glyphs; /* the worst first; those without a flag by code point; from mt_new */
+    mt_report_summary summary;
+} mt_report;
+
+/* Measures each glyph; characters that lead to the same two glyphs are one. Glyphs that fail are in the
+ * report. MT_NOTHING_SHARED, MT_TOO_LARGE, MT_NO_MEMORY. */
+mt_status mt_report_make(const mt_report_request *request, mt_report *report);
+void mt_report_free(mt_report *report);
+
+/* Reads a character from both fonts and prepares its morph, in the arena; `fonts` is held while the fonts are
+ * read. As mt_glyph_pair_prepare. */
+mt_status mt_report_prepare(const mt_report_request *request, pthread_mutex_t *fonts, uint32_t code_point,
+                            mt_arena *arena, mt_glyph_pair *pair);
+
+/* What the page has of a glyph's in-betweens: an SVG picture for each place, those that are out of the ends'
+ * counts marked. As mt_morph_outline. */
+mt_status mt_report_strip(const mt_glyph_pair *pair, const mt_params *params, const mt_report_glyph *glyph,
+                          mt_arena *arena, mt_buffer *text);
+
+/* The report in a buffer of the caller's. MT_NO_MEMORY. */
+mt_status mt_report_json(const mt_report *report, mt_buffer *text);
+mt_status mt_report_html(const mt_report *report, mt_buffer *text);
+
+typedef enum mt_report_format { MT_REPORT_HTML, MT_REPORT_JSON } mt_report_format;
+
+/* The format that a file name's extension asks for, in either case. MT_UNKNOWN_FORMAT. */
+mt_status mt_report_format_of(const char *path, mt_report_format *format);
+/* Makes the report and writes it to `path`, whole or not at all. As mt_report_make; MT_UNKNOWN_FORMAT,
+ * MT_CANNOT_WRITE. */
+mt_status mt_report_save(const mt_report_request *request, const char *path);
+
+#endif

@@ -1,0 +1,211 @@
+/* designspace documents, version 4.1 (fontTools, "Designspace Document Specification"). */
+#include "save/designspace.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/file.h"
+#include "base/memory.h"
+#include "base/xml.h"
+#include "save/ufo.h"
+#include "sfnt/axis.h"
+
+#define EXTENSION ".designspace"
+#define FOLDER "-masters"
+#define FIRST_MASTER "Morph-0.ufo" /* every such folder has it */
+
+struct mt_master {
+    double value; /* on the axis, in design coordinates */
+    char file[32];
+    char *family, *style;
+};
+
+/* ---- names ----------------------------------------------------------------------------------------------- */
+
+/* NAME-masters for NAME.designspace; from mt_new. */
+static char *folder_of(const char *path) {
+    size_t stem = strlen(path) - strlen(EXTENSION), room = stem + sizeof FOLDER;
+    char *folder = mt_new(room, 1);
+    if (folder) snprintf(folder, room, "%.*s%s", (int)stem, path, FOLDER);
+    return folder;
+}
+
+static const char *last_part(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+mt_status mt_designspace_check(const char *path) {
+    char *folder = folder_of(path);
+    if (!folder) return MT_NO_MEMORY;
+    mt_status status = mt_file_check(path);
+    if (status == MT_OK) status = mt_folder_check(folder, FIRST_MASTER "/" MT_UFO_MARK);
+    mt_free(folder);
+    return status;
+}
+
+/* ---- masters --------------------------------------------------------------------------------------------- */
+
+mt_status mt_designspace_begin(const char *path, const mt_axis_map *map, mt_designspace *designspace) {
+    mt_designspace made = {.path = mt_copy_text(path), .map = map};
+    char *folder = folder_of(path);
+    mt_status status = made.path && folder ? mt_folder_begin(folder, &made.folder) : MT_NO_MEMORY;
+    mt_free(folder);
+    if (status != MT_OK) {
+        mt_free(made.path);
+        return status;
+    }
+    made.folder_name = last_part(made.folder.path);
+    *designspace = made;
+    return MT_OK;
+}
+
+static mt_status add_master(mt_designspace *designspace, const mt_font_data *data, int place,
+                            struct mt_master **added) {
+    if (designspace->count == designspace->room) {
+        int room = designspace->room ? 2 * designspace->room : 8;
+        struct mt_master *grown = mt_grow(designspace->masters, (size_t)room, sizeof *grown);
+        if (!grown) return MT_NO_MEMORY;
+        designspace->masters = grown;
+        designspace->room = room;
+    }
+    struct mt_master *master = &designspace->masters[designspace->count++];
+    *master = (struct mt_master){.value = mt_axis_value(place),
+                                 .family = mt_copy_text(data->family),
+                                 .style = mt_copy_text(data->style)};
+    snprintf(master->file, sizeof master->file, "Morph-%.6g.ufo", master->value);
+    *added = master;
+    return master->family && master->style ? MT_OK : MT_NO_MEMORY;
+}
+
+mt_status mt_designspace_add(mt_designspace *designspace, const mt_font_data *data, int place) {
+    struct mt_master *master;
+    mt_status status = add_master(designspace, data, place, &master);
+    if (status == MT_OK) status = mt_folder_add_folder(&designspace->folder, master->file);
+    if (status != MT_OK) return status;
+    size_t room = strlen(designspace->folder.temporary) + sizeof master->file + 2;
+    mt_folder inner = {.temporary = mt_new(room, 1)};
+    if (!inner.temporary) return MT_NO_MEMORY;
+    snprintf(inner.temporary, room, "%s/%s", designspace->folder.temporary, master->file);
+    status = mt_ufo_write(data, &inner);
+    designspace->length += inner.length;
+    mt_free(inner.temporary);
+    return status;
+}
+
+/* ---- the document ---------------------------------------------------------------------------------------- */
+
+/* An attribute, so exact that it reads back as the same number. */
+static void write_real(const char *name, double value, mt_xml *xml) {
+    char text[32];
+    snprintf(text, sizeof text, "%.17g", value);
+    mt_xml_attribute(xml, name, text);
+}
+
+/* In design coordinates: where the map leads to. */
+static void write_location(double place, mt_xml *xml) {
+    mt_xml_open(xml, "location");
+    mt_xml_open(xml, "dimension");
+    mt_xml_attribute(xml, "name", MT_AXIS_NAME);
+    write_real("xvalue", place, xml);
+    mt_xml_close(xml);
+    mt_xml_close(xml);
+}
+
+static void write_map(const mt_axis_map *map, mt_xml *xml) {
+    for (int i = 0; i < map->count; i++) {
+        mt_xml_open(xml, "map");
+        write_real("input", map->points[i].value, xml);
+        write_real("output", map->points[i].place, xml);
+        mt_xml_close(xml);
+    }
+}
+
+/* In user coordinates. */
+static void write_axis(const mt_axis_map *map, mt_xml *xml) {
+    mt_xml_open(xml, "axes");
+    mt_xml_open(xml, "axis");
+    mt_xml_attribute(xml, "tag", MT_AXIS_TAG_TEXT);
+    mt_xml_attribute(xml, "name", MT_AXIS_NAME);
+    mt_xml_number(xml, "minimum", 0);
+    mt_xml_number(xml, "maximum", MT_AXIS_END);
+    mt_xml_number(xml, "default", 0);
+    write_map(map, xml);
+    mt_xml_close(xml);
+    mt_xml_close(xml);
+}
+
+static void write_source(const mt_designspace *designspace, const struct mt_master *master, mt_xml *xml) {
+    char file[1024];
+    snprintf(file, sizeof file, "%s/%s", designspace->folder_name, master->file);
+    mt_xml_open(xml, "source");
+    mt_xml_attribute(xml, "filename", file);
+    mt_xml_attribute(xml, "name", master->style);
+    mt_xml_attribute(xml, "familyname", master->family);
+    mt_xml_attribute(xml, "stylename", master->style);
+    write_location(master->value, xml);
+    mt_xml_close(xml);
+}
+
+static void write_instance(const mt_designspace *designspace, int percent, mt_xml *xml) {
+    char style[32];
+    snprintf(style, sizeof style, MT_AXIS_NAME " %d", percent);
+    mt_xml_open(xml, "instance");
+    mt_xml_attribute(xml, "familyname", designspace->masters[0].family);
+    mt_xml_attribute(xml, "stylename", style);
+    mt_xml_attribute(xml, "name", style);
+    write_location(mt_axis_map_place(designspace->map, percent), xml);
+    mt_xml_close(xml);
+}
+
+static void write_document(const mt_designspace *designspace, mt_xml *xml) {
+    mt_xml_open(xml, "designspace");
+    mt_xml_attribute(xml, "format", "4.1");
+    write_axis(designspace->map, xml);
+    mt_xml_open(xml, "sources");
+    for (int i = 0; i < designspace->count; i++) write_source(designspace, &designspace->masters[i], xml);
+    mt_xml_close(xml);
+    mt_xml_open(xml, "instances");
+    for (int percent = 0; percent <= MT_AXIS_END; percent += MT_AXIS_END / 4)
+        write_instance(designspace, percent, xml);
+    mt_xml_close(xml);
+    mt_xml_close(xml);
+}
+
+/* ---- placing --------------------------------------------------------------------------------------------- */
+
+mt_status mt_designspace_place(mt_designspace *designspace) {
+    const char *text;
+    size_t length;
+    mt_xml xml = mt_xml_begin();
+    write_document(designspace, &xml);
+    mt_status status = mt_xml_end(&xml, &text, &length);
+    if (status == MT_OK) status = mt_folder_place(&designspace->folder, FIRST_MASTER "/" MT_UFO_MARK);
+    if (status == MT_OK) {
+        status = mt_file_write(designspace->path, text, length);
+        if (status != MT_OK) mt_folder_remove(designspace->folder.path);
+    }
+    mt_xml_free(&xml);
+    if (status == MT_OK) designspace->length += length;
+    return status;
+}
+
+void mt_designspace_remove(const mt_designspace *designspace) {
+    unlink(designspace->path);
+    mt_folder_remove(designspace->folder.path);
+}
+
+void mt_designspace_free(mt_designspace *designspace) {
+    int why = errno;
+    for (int i = 0; i < designspace->count; i++) {
+        mt_free(designspace->masters[i].family);
+        mt_free(designspace->masters[i].style);
+    }
+    mt_free(designspace->masters);
+    mt_free(designspace->path);
+    mt_folder_free(&designspace->folder);
+    *designspace = (mt_designspace){0};
+    errno = why;
+}

@@ -1,0 +1,33 @@
+/* A variable font as its masters: a designspace document, and beside it a folder with a UFO for each. */
+#ifndef MT_DESIGNSPACE_H
+#define MT_DESIGNSPACE_H
+
+#include "base/folder.h"
+#include "sfnt/axis_map.h"
+#include "write/write.h"
+
+/* In the making: nothing is in its place yet. */
+typedef struct mt_designspace {
+    char *path; /* of the document, NAME.designspace; the folder is NAME-masters */
+    const char *folder_name;
+    mt_folder folder;
+    int count, room;
+    struct mt_master *masters;
+    const mt_axis_map *map;
+    size_t length; /* of all files, bytes */
+} mt_designspace;
+
+/* Whether both may stand there: mt_file_check, mt_folder_check. */
+mt_status mt_designspace_check(const char *path);
+
+/* Keeps using the map. */
+mt_status mt_designspace_begin(const char *path, const mt_axis_map *map, mt_designspace *designspace);
+/* Adds the master at a place of the axis (variation.h); the first is at its start, and the last at its end. As mt_ufo_write. */
+mt_status mt_designspace_add(mt_designspace *designspace, const mt_font_data *master, int place);
+/* Moves both to their places, or neither. MT_CANNOT_WRITE (errno says why), MT_NO_MEMORY. */
+mt_status mt_designspace_place(mt_designspace *designspace);
+/* Removes both again. */
+void mt_designspace_remove(const mt_designspace *designspace);
+void mt_designspace_free(mt_designspace *designspace);
+
+#endif

@@ -1,0 +1,221 @@
+#include "save/save.h"
+
+#include <errno.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/file.h"
+#include "base/memory.h"
+#include "save/designspace.h"
+#include "save/ufo.h"
+#include "save/woff2.h"
+#include "save/woff2_plain.h"
+
+/* ---- formats ---------------------------------------------------------------------------------------------- */
+
+bool mt_font_format_of(const char *path, mt_font_format *format) {
+    static const char *const extensions[] = {".ttf", ".woff2", ".ufo", ".designspace"};
+    const char *dot = strrchr(path, '.');
+    for (int i = 0; dot && i < 4; i++) {
+        if (strcasecmp(dot, extensions[i]) != 0) continue;
+        *format = (mt_font_format)i;
+        return true;
+    }
+    return false;
+}
+
+mt_status mt_save_check(const char *path) {
+    mt_font_format format;
+    if (!mt_font_format_of(path, &format)) return MT_UNKNOWN_FORMAT;
+    if (format == MT_FONT_DESIGNSPACE) return mt_designspace_check(path);
+    return format == MT_FONT_UFO ? mt_folder_check(path, MT_UFO_MARK) : mt_file_check(path);
+}
+
+/* ---- one font, made but not in its place yet -------------------------------------------------------------- */
+
+typedef struct mt_product {
+    const char *path;
+    mt_font_format format;
+    uint8_t *bytes; /* of a file */
+    size_t length;
+    mt_folder folder;
+    mt_designspace designspace;
+    const mt_axis_map *map; /* of a designspace */
+} mt_product;
+
+static bool has_overlaps(const mt_font_data *data) {
+    for (int i = 0; i < data->glyph_count; i++)
+        if (data->glyphs[i].overlaps) return true;
+    return false;
+}
+
+mt_status mt_font_pack(const mt_font_data *data, const uint8_t *font, size_t length, uint8_t **packed,
+                       size_t *packed_length) {
+    return has_overlaps(data) ? mt_woff2_pack_plain(font, length, packed, packed_length)
+                              : mt_woff2_pack(font, length, packed, packed_length);
+}
+
+static mt_status pack(const mt_font_data *data, mt_product *product) {
+    uint8_t *packed;
+    size_t length;
+    mt_status status = mt_font_pack(data, product->bytes, product->length, &packed, &length);
+    if (status != MT_OK) return status;
+    mt_bytes_free(product->bytes);
+    product->bytes = packed;
+    product->length = length;
+    return MT_OK;
+}
+
+static mt_status make_product(const mt_font_data *data, mt_product *product) {
+    mt_status status;
+    if (product->format == MT_FONT_UFO) {
+        status = mt_folder_begin(product->path, &product->folder);
+        if (status == MT_OK) status = mt_ufo_write(data, &product->folder);
+        product->length = product->folder.length;
+        return status;
+    }
+    status = mt_font_write(data, &product->bytes, &product->length);
+    return status == MT_OK && product->format == MT_FONT_WOFF2 ? pack(data, product) : status;
+}
+
+/* Adds a master to a designspace, which the first begins. */
+static mt_status add_master(const mt_font_data *data, int place, mt_product *product) {
+    mt_status status = MT_OK;
+    if (!product->designspace.path)
+        status = mt_designspace_begin(product->path, product->map, &product->designspace);
+    return status == MT_OK ? mt_designspace_add(&product->designspace, data, place) : status;
+}
+
+static mt_status place_designspace(mt_product *product) {
+    mt_status status = mt_designspace_place(&product->designspace);
+    product->length = product->designspace.length;
+    return status;
+}
+
+static mt_status place_product(mt_product *product) {
+    if (product->format == MT_FONT_DESIGNSPACE) return place_designspace(product);
+    if (product->format == MT_FONT_UFO) return mt_folder_place(&product->folder, MT_UFO_MARK);
+    return mt_file_write(product->path, product->bytes, product->length);
+}
+
+static void unplace_product(const mt_product *product) {
+    if (product->format == MT_FONT_DESIGNSPACE)
+        mt_designspace_remove(&product->designspace);
+    else if (product->format == MT_FONT_UFO)
+        mt_folder_remove(product->path);
+    else
+        unlink(product->path);
+}
+
+static void free_product(mt_product *product) {
+    mt_bytes_free(product->bytes);
+    mt_folder_free(&product->folder);
+    mt_designspace_free(&product->designspace);
+}
+
+/* ---- all of them ------------------------------------------------------------------------------------------ */
+
+typedef struct mt_products {
+    const mt_saving *saving;
+    mt_product *list;
+    int failed;
+} mt_products;
+
+/* Notes which font an error is about, where it is about one. */
+static mt_status note(mt_products *products, int index, mt_status status) {
+    bool of_font = status == MT_CANNOT_WRITE || status == MT_TOO_LARGE || status == MT_UNKNOWN_FORMAT;
+    if (of_font) products->failed = index;
+    return status;
+}
+
+static mt_status prepare(mt_products *products) {
+    const mt_saving *saving = products->saving;
+    for (int i = 0; i < saving->count; i++) {
+        mt_product *product = &products->list[i];
+        product->path = saving->paths[i];
+        bool known = mt_font_format_of(product->path, &product->format);
+        /* A UFO does not vary; what does not vary has no designspace. */
+        bool fits = known && product->format != (saving->t ? MT_FONT_DESIGNSPACE : MT_FONT_UFO);
+        mt_status status = fits ? mt_save_check(product->path) : MT_UNKNOWN_FORMAT;
+        if (status != MT_OK) return note(products, i, status);
+    }
+    return MT_OK;
+}
+
+static mt_status keep(const mt_font_data *data, int index, void *user) {
+    mt_products *products = user;
+    return note(products, index, make_product(data, &products->list[index]));
+}
+
+static mt_status place(mt_products *products) {
+    const mt_saving *saving = products->saving;
+    for (int i = 0; i < saving->count; i++) {
+        mt_status status = place_product(&products->list[i]);
+        if (status == MT_OK) continue;
+        int why = errno;
+        for (int k = 0; k < i; k++) unplace_product(&products->list[k]);
+        errno = why;
+        return note(products, i, status);
+    }
+    for (int i = 0; saving->lengths && i < saving->count; i++) saving->lengths[i] = products->list[i].length;
+    return MT_OK;
+}
+
+/* Makes the fonts that are saved, from `source`, and hands them to `keep`. */
+typedef mt_status (*mt_make_fonts)(void *source, mt_products *products);
+
+static mt_status save_when(void *source, mt_make_fonts make, const mt_saving *saving, int *failed) {
+    mt_products products = {saving, mt_new((size_t)saving->count, sizeof *products.list), -1};
+    if (!products.list) return MT_NO_MEMORY;
+    mt_status status = prepare(&products);
+    if (status == MT_OK) status = make(source, &products);
+    if (status == MT_OK && saving->made) status = saving->made(saving->user);
+    if (status == MT_OK) status = place(&products);
+    int why = errno;
+    for (int i = 0; i < saving->count; i++) free_product(&products.list[i]);
+    mt_free(products.list);
+    if (failed) *failed = products.failed;
+    errno = why;
+    return status;
+}
+
+static mt_status make_blends(void *blend, mt_products *products) {
+    const mt_saving *saving = products->saving;
+    return mt_blend_make(blend, saving->t, saving->count, keep, products);
+}
+
+mt_status mt_blend_save_when(mt_blend *blend, const mt_saving *saving, int *failed) {
+    return save_when(blend, make_blends, saving, failed);
+}
+
+static mt_status keep_master(const mt_font_data *data, int place, void *user) {
+    mt_products *products = user;
+    return note(products, 0, add_master(data, place, &products->list[0]));
+}
+
+static mt_status make_variable(void *variable, mt_products *products) {
+    products->list[0].map = mt_variable_map(variable);
+    if (products->list[0].format == MT_FONT_DESIGNSPACE)
+        return mt_variable_masters(variable, keep_master, products);
+    return mt_variable_make(variable, keep, products);
+}
+
+mt_status mt_variable_save_when(mt_variable *variable, const mt_saving *saving, int *failed) {
+    return save_when(variable, make_variable, saving, failed);
+}
+
+mt_status mt_variable_save(mt_variable *variable, const char *path) {
+    const mt_saving saving = {.count = 1, .paths = &path};
+    return mt_variable_save_when(variable, &saving, NULL);
+}
+
+mt_status mt_blend_save_fonts(mt_blend *blend, const double *t, int count, const char *const *paths) {
+    const mt_saving saving = {.t = t, .count = count, .paths = paths};
+    return mt_blend_save_when(blend, &saving, NULL);
+}
+
+mt_status mt_blend_save(mt_blend *blend, double t, const char *path) {
+    return mt_blend_save_fonts(blend, &t, 1, &path);
+}

@@ -1,0 +1,16 @@
+/* A font as Unified Font Object 3 (unifiedfontobject.org), for designers to go on with in their editor. */
+#ifndef MT_UFO_H
+#define MT_UFO_H
+
+#include "base/folder.h"
+#include "write/write.h"
+
+/* The file that every UFO has. */
+#define MT_UFO_MARK "metainfo.plist"
+
+/* Fills an empty folder with the font's glyphs, information and glyph order. Outlines stay as 'glyf' has them: quadratic,
+ * points on the curve left implied, outer contours clockwise. MT_BAD_PARAMETER and MT_TOO_LARGE as for mt_font_write,
+ * MT_NO_MEMORY, MT_CANNOT_WRITE (errno says why). */
+mt_status mt_ufo_write(const mt_font_data *data, mt_folder *folder);
+
+#endif

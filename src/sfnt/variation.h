@@ -1,0 +1,44 @@
+/* How a font in writing varies along its one axis, as plain data. */
+#ifndef MT_VARIATION_H
+#define MT_VARIATION_H
+
+#include <stdint.h>
+
+#include "sfnt/axis_map.h"
+
+/* A place on the axis as the tables have it (F2Dot14): 0 is where the font stands without a setting, MT_PLACE_ONE the end. */
+enum { MT_PLACE_ONE = 1 << 14 };
+
+/* By how far a point moves, font units. */
+typedef struct mt_move {
+    int16_t x, y;
+} mt_move;
+
+/* Where a glyph's points are at some places; in between each moves on a straight line, as from the place 0, where it is as
+ * the font stands. The points are those of its contours or, of a composite, the offsets of its references, and behind
+ * them the four phantom points: left, right, top and bottom of the glyph's room in the line ('gvar'). */
+typedef struct mt_glyph_moves {
+    int place_count;       /* 0: the glyph stays as it is */
+    const int *places;     /* ascending, over 0; the last is MT_PLACE_ONE */
+    mt_move *const *moves; /* for each place, one for each point */
+} mt_glyph_moves;
+
+enum { MT_PHANTOM_POINTS = 4 };
+
+typedef struct mt_named_place {
+    double value; /* on the axis, as users set it */
+    const char *name;
+} mt_named_place;
+
+/* The axis goes from `least`, where the font stands without a setting, to `most`. */
+typedef struct mt_variation {
+    uint32_t tag;
+    const char *name; /* UTF-8, as are those of the places */
+    double least, most;
+    int named_count;
+    const mt_named_place *named; /* ascending */
+    const mt_glyph_moves *moves; /* one a glyph */
+    mt_axis_map map;
+} mt_variation;
+
+#endif

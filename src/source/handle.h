@@ -1,0 +1,66 @@
+/* Inside a font handle: shared by the files that read fonts, and by nothing else. */
+#ifndef MT_HANDLE_H
+#define MT_HANDLE_H
+
+#include <setjmp.h>
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_MODULE_H
+
+#include "base/memory.h"
+#include "source/font.h"
+#include "source/spec.h"
+
+/* The largest font file that is read: 1 GiB, some fifty times the largest CJK collection. */
+#define MT_FONT_FILE_MAX ((size_t)1 << 30)
+
+typedef struct mt_kept mt_kept;
+
+struct mt_font {
+    char *text; /* the spec as it was given */
+    mt_spec spec;
+    uint8_t *bytes; /* the whole file: FreeType reads from here */
+    size_t length;
+    mt_arena scratch; /* for what lives while a FreeType call is made */
+
+    /* guard.c. Each font has a FreeType of its own: fonts share no state. */
+    struct FT_MemoryRec_ memory;
+    mt_kept *kept; /* all the blocks that FreeType has */
+    jmp_buf escape;
+    FT_Library library;
+    FT_Face face; /* NULL when memory ran out */
+
+    int axis_count;              /* of 'fvar'; 0 where the font does not vary */
+    int32_t place[MT_SPEC_AXES]; /* normalized, 16.16 */
+    int instance_name; /* the name id of the named instance that the axes are set to; -1 when there is none */
+    mt_names names;
+    mt_metrics metrics;
+    int units;
+    int64_t modified;
+    uint16_t embedding;
+};
+
+/* guard.c: does work in which FreeType may ask for memory. When it gets none the work ends there, FreeType
+ * and all that it had is gone, font->face is NULL and MT_NO_MEMORY comes back. The work keeps what it
+ * allocates in the handle or in an arena, never in a local variable alone. */
+mt_status mt_font_guard(mt_font *font, mt_status (*work)(mt_font *font, void *user), void *user);
+/* Starts the handle's FreeType; only within the guard. */
+mt_status mt_font_start(mt_font *font);
+/* Gives back all of FreeType's memory. */
+void mt_font_discard(mt_font *font);
+
+/* axes.c: moves a variable font to the place that the spec gives. MT_NO_AXIS, MT_BAD_AXIS, MT_NOT_A_FONT,
+ * MT_NO_MEMORY. */
+mt_status mt_font_set_axes(mt_font *font);
+/* The user coordinate that the spec sets an axis to; false when it sets none. */
+bool mt_font_axis(const mt_font *font, uint32_t tag, double *value);
+
+/* names.c: fills font->names. MT_NO_MEMORY. */
+mt_status mt_font_read_names(mt_font *font);
+void mt_font_free_names(mt_font *font);
+
+/* metrics.c: fills font->metrics, units, modified and embedding. */
+void mt_font_read_metrics(mt_font *font);
+
+#endif

@@ -1,0 +1,127 @@
+/* Opening a font: the spec, the file, the face, the axes, the names, the figures. */
+#include "source/handle.h"
+
+#include <errno.h>
+#include <string.h>
+
+#include "base/file.h"
+#include "geometry/limits.h"
+#include "sfnt/sfnt.h"
+
+/* ---- the stages of opening --------------------------------------------------------------------------------
+ */
+
+static mt_status open_face(mt_font *font) {
+    FT_Face probe;
+    int number = font->spec.face;
+    if (FT_New_Memory_Face(font->library, font->bytes, (FT_Long)font->length, -1, &probe) != 0)
+        return MT_NOT_A_FONT;
+    long count = probe->num_faces;
+    FT_Done_Face(probe);
+    if (number >= count) return MT_NO_FACE;
+    if (!mt_sfnt_is_whole(font->bytes, font->length, number)) return MT_NOT_A_FONT;
+    FT_Error error =
+        FT_New_Memory_Face(font->library, font->bytes, (FT_Long)font->length, number, &font->face);
+    if (error) return MT_NOT_A_FONT;
+    if (!FT_IS_SCALABLE(font->face)) return MT_NO_OUTLINES;
+    return font->face->units_per_EM > 0 ? MT_OK : MT_NOT_A_FONT;
+}
+
+static mt_status choose_charmap(mt_font *font) {
+    uint32_t first;
+    if (FT_Select_Charmap(font->face, FT_ENCODING_UNICODE) != 0) return MT_NO_CHARMAP;
+    return mt_font_next_char(font, 0, &first) ? MT_OK : MT_NO_CHARMAP;
+}
+
+static mt_status read_face(mt_font *font, void *user) {
+    (void)user;
+    mt_status status = mt_font_start(font);
+    if (status == MT_OK) status = open_face(font);
+    if (status == MT_OK) status = mt_font_set_axes(font);
+    if (status == MT_OK) status = choose_charmap(font);
+    if (status == MT_OK) status = mt_font_read_names(font);
+    if (status == MT_OK) mt_font_read_metrics(font);
+    return status;
+}
+
+static mt_status open_stages(const char *spec, mt_font *font) {
+    font->instance_name = -1;
+    font->text = mt_copy_text(spec);
+    if (!font->text) return MT_NO_MEMORY;
+    mt_status status = mt_spec_parse(spec, &font->spec);
+    if (status == MT_OK)
+        status = mt_file_read(font->spec.path, MT_FONT_FILE_MAX, &font->bytes, &font->length);
+    if (status == MT_OK) status = mt_font_guard(font, read_face, NULL);
+    mt_arena_release(&font->scratch);
+    return status;
+}
+
+mt_status mt_font_open(const char *spec, mt_font **font) {
+    mt_font *opened = mt_new(1, sizeof *opened);
+    if (!opened) return MT_NO_MEMORY;
+    mt_status status = open_stages(spec, opened);
+    if (status == MT_OK) {
+        *font = opened;
+        return MT_OK;
+    }
+    int why = errno;
+    mt_font_close(opened);
+    errno = why;
+    return status;
+}
+
+void mt_font_close(mt_font *font) {
+    if (!font) return;
+    mt_font_free_names(font);
+    mt_font_discard(font);
+    mt_free(font->bytes);
+    mt_spec_clear(&font->spec);
+    mt_free(font->text);
+    mt_free(font);
+}
+
+/* ---- what it is -------------------------------------------------------------------------------------------
+ */
+
+const char *mt_font_spec(const mt_font *font) {
+    return font->text;
+}
+
+const char *mt_font_choice(const mt_font *font) {
+    return font->text + strlen(font->spec.path);
+}
+
+int mt_font_units(const mt_font *font) {
+    return font->units;
+}
+
+int mt_font_glyph_count(const mt_font *font) {
+    FT_Long count = font->face ? font->face->num_glyphs : 0;
+    return (int)(count < MT_GLYPHS_MAX ? count : MT_GLYPHS_MAX);
+}
+
+/* ---- characters -------------------------------------------------------------------------------------------
+ */
+
+enum { LAST_CHAR = 0x10FFFF, FIRST_SURROGATE = 0xD800, LAST_SURROGATE = 0xDFFF };
+
+static bool is_char(uint32_t code_point) {
+    return code_point <= LAST_CHAR && (code_point < FIRST_SURROGATE || code_point > LAST_SURROGATE);
+}
+
+uint32_t mt_font_glyph(const mt_font *font, uint32_t code_point) {
+    FT_UInt glyph = font->face && is_char(code_point) ? FT_Get_Char_Index(font->face, code_point) : 0;
+    return glyph < MT_GLYPHS_MAX ? glyph : 0;
+}
+
+bool mt_font_next_char(const mt_font *font, uint32_t from, uint32_t *code_point) {
+    if (from >= FIRST_SURROGATE && from <= LAST_SURROGATE) from = LAST_SURROGATE + 1;
+    if (!font->face || from > LAST_CHAR) return false;
+    FT_ULong found = from;
+    FT_UInt glyph = FT_Get_Char_Index(font->face, from);
+    if (glyph == 0) found = FT_Get_Next_Char(font->face, from, &glyph);
+    if (glyph == 0 || found > LAST_CHAR) return false;
+    if (!is_char((uint32_t)found)) return mt_font_next_char(font, LAST_SURROGATE + 1, code_point);
+    *code_point = (uint32_t)found;
+    return true;
+}

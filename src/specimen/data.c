@@ -1,0 +1,186 @@
+/* What the specimen's script reads: JSON, in which no markup can be. */
+#include "base/json.h"
+#include "base/utf.h"
+#include "source/font.h"
+#include "specimen/specimen.h"
+
+#include <hb.h>
+#include <string.h>
+
+/* ---- names --------------------------------------------------------------------------------------------- */
+
+static void add_text(mt_json *json, const char *key, const char *text) {
+    if (text) mt_json_text(json, key, text);
+}
+
+static void add_tag(mt_json *json, const char *key, uint32_t tag) {
+    char text[5] = "";
+    hb_tag_to_string(tag, text);
+    mt_json_text(json, key, text);
+}
+
+/* Without the directory, which is nobody's business once the page is on the web. */
+static const char *file_name(const mt_font *font) {
+    const char *slash = strrchr(mt_font_spec(font), '/');
+    return slash ? slash + 1 : mt_font_spec(font);
+}
+
+static void add_source(mt_json *json, const mt_font *font) {
+    mt_names names;
+    mt_font_names(font, &names);
+    mt_json_object(json, NULL);
+    mt_json_text(json, "family", mt_font_family(font));
+    mt_json_text(json, "style", mt_font_style(font));
+    mt_json_text(json, "file", file_name(font));
+    add_text(json, "version", names.version);
+    add_text(json, "designer", names.designer);
+    add_text(json, "copyright", names.copyright);
+    add_text(json, "trademark", names.trademark);
+    add_text(json, "license", names.license);
+    add_text(json, "license_url", names.license_url);
+    mt_json_object_end(json);
+}
+
+static void add_heading(mt_json *json, const mt_specimen *specimen) {
+    const mt_specimen_request *request = specimen->request;
+    mt_json_text(json, "program", "Morphotype " MORPHOTYPE_VERSION);
+    mt_json_text(json, "family", specimen->font.family);
+    mt_json_text(json, "method", request->params->method == MT_METHOD_JOINT ? "joint" : "paper");
+    mt_json_int(json, "bytes", (int64_t)specimen->packed_length);
+    add_text(json, "text", request->text);
+    mt_json_array(json, "sources");
+    for (int i = 0; i < request->font_count; i++) add_source(json, request->fonts[i]);
+    mt_json_array_end(json);
+    mt_json_one_line(json);
+    mt_json_array(json, "features");
+    for (int i = 0; i < specimen->font.feature_count; i++) add_tag(json, NULL, specimen->font.features[i]);
+    mt_json_array_end(json);
+}
+
+/* ---- characters ---------------------------------------------------------------------------------------- */
+
+/* Those of the font's characters that `wanted` lets through, as one text. */
+static void add_characters(mt_json *json, const char *key, const mt_specimen *specimen,
+                           bool (*wanted)(const mt_specimen *specimen, int index, int than), int than) {
+    mt_buffer text = {0};
+    char bytes[4];
+    mt_status status = MT_OK;
+    for (int i = 0; i < specimen->font.char_count && status == MT_OK; i++)
+        if (wanted(specimen, i, than))
+            status = mt_buffer_add(&text, bytes, (size_t)mt_utf8_put(specimen->font.chars[i], bytes));
+    if (status == MT_OK) status = mt_buffer_add(&text, "", 1);
+    if (status == MT_OK)
+        mt_json_text(json, key, (const char *)text.bytes);
+    else
+        json->status = status;
+    mt_buffer_free(&text);
+}
+
+static bool has_script_of(const mt_specimen *specimen, int index, int than) {
+    return specimen->font.scripts[index] == specimen->font.scripts[than];
+}
+
+static bool has_new_script(const mt_specimen *specimen, int index) {
+    for (int i = 0; i < index; i++)
+        if (has_script_of(specimen, i, index)) return false;
+    return true;
+}
+
+/* One group for each script, in the order of their first characters. */
+static void add_groups(mt_json *json, const mt_specimen *specimen) {
+    mt_json_array(json, "groups");
+    for (int i = 0; i < specimen->font.char_count; i++) {
+        if (!has_new_script(specimen, i)) continue;
+        mt_json_object(json, NULL);
+        add_tag(json, "script", specimen->font.scripts[i]);
+        add_characters(json, "characters", specimen, has_script_of, i);
+        mt_json_object_end(json);
+    }
+    mt_json_array_end(json);
+}
+
+/* Not all fonts have the character, so that its glyph stays as it is. */
+static bool is_still(const mt_specimen *specimen, int index, int than) {
+    const mt_specimen_request *request = specimen->request;
+    (void)than;
+    for (int i = 0; i < request->font_count; i++)
+        if (mt_font_glyph(request->fonts[i], specimen->font.chars[index]) == 0) return true;
+    return false;
+}
+
+/* ---- flags --------------------------------------------------------------------------------------------- */
+
+static void add_reasons(mt_json *json, int step, const mt_report_glyph *glyph) {
+    char reason[MT_REPORT_REASON_ROOM];
+    for (unsigned flag = 1; flag <= MT_FLAG_ALL; flag <<= 1) {
+        if (!(glyph->flags & flag)) continue;
+        mt_report_reason(glyph, (mt_report_flag)flag, reason);
+        mt_json_object(json, NULL);
+        mt_json_int(json, "step", step);
+        mt_json_text(json, "reason", reason);
+        mt_json_object_end(json);
+    }
+}
+
+static bool is_flagged(const mt_specimen *specimen, uint32_t code_point) {
+    for (int i = 0; i + 1 < specimen->request->font_count; i++)
+        if (mt_specimen_flags_find(specimen->flags[i], code_point)) return true;
+    return false;
+}
+
+static void add_flagged_one(mt_json *json, const mt_specimen *specimen, uint32_t code_point) {
+    char character[5] = "";
+    mt_utf8_put(code_point, character);
+    mt_json_one_line(json);
+    mt_json_object(json, NULL);
+    mt_json_text(json, "character", character);
+    mt_json_array(json, "reasons");
+    for (int i = 0; i + 1 < specimen->request->font_count; i++) {
+        const mt_report_glyph *glyph = mt_specimen_flags_find(specimen->flags[i], code_point);
+        if (glyph) add_reasons(json, i, glyph);
+    }
+    mt_json_array_end(json);
+    mt_json_object_end(json);
+}
+
+static void add_flagged(mt_json *json, const mt_specimen *specimen) {
+    const mt_specimen_font *font = &specimen->font;
+    mt_json_array(json, "flagged");
+    for (int i = 0; i < font->char_count; i++)
+        if (is_flagged(specimen, font->chars[i])) add_flagged_one(json, specimen, font->chars[i]);
+    mt_json_array_end(json);
+}
+
+/* ---- the data ------------------------------------------------------------------------------------------ */
+
+/* In JSON a < stands in strings alone, so that it can be escaped wherever it is. */
+static mt_status escape_markup(const mt_buffer *json, mt_buffer *text) {
+    mt_status status = MT_OK;
+    size_t from = 0;
+    for (size_t i = 0; i < json->length && status == MT_OK; i++) {
+        if (json->bytes[i] != '<') continue;
+        status = mt_buffer_add(text, json->bytes + from, i - from);
+        if (status == MT_OK) status = mt_buffer_add(text, "\\u003c", 6);
+        from = i + 1;
+    }
+    return status == MT_OK ? mt_buffer_add(text, json->bytes + from, json->length - from) : status;
+}
+
+mt_status mt_specimen_data(const mt_specimen *specimen, mt_buffer *text) {
+    mt_json json = {0};
+    mt_buffer made = {0};
+    mt_json_object(&json, NULL);
+    add_heading(&json, specimen);
+    add_groups(&json, specimen);
+    add_flagged(&json, specimen);
+    add_characters(&json, "still", specimen, is_still, 0);
+    mt_json_object_end(&json);
+    mt_status status = json.status;
+    if (status == MT_OK) status = escape_markup(&json.text, &made);
+    mt_buffer_free(&json.text);
+    if (status == MT_OK)
+        *text = made;
+    else
+        mt_buffer_free(&made);
+    return status;
+}

@@ -1,0 +1,78 @@
+"""Writes the specimen's page as C: page.html cut at its slots, with the style, the script and the policy in it.
+
+    embed.py OUT.c page.html style.css SCRIPT.js…
+
+The scripts become one, in the order given. The policy lets in this style and this script, by their digests (Content
+Security Policy, section 2.3.1), fonts and the icon as data: URLs, and nothing else.
+"""
+
+import base64
+import hashlib
+import pathlib
+import re
+import sys
+
+# What is filled in when a page is made; specimen/page.h has the same names.
+SLOTS = ('version', 'title', 'data', 'font')
+
+
+def read(name):
+    return pathlib.Path(name).read_text(encoding='utf-8')
+
+
+def digest(text):
+    return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
+
+
+def policy(style, script):
+    rules = ("default-src 'none'", f'style-src {digest(style)}', f'script-src {digest(script)}', 'font-src data:',
+             'img-src data:', "base-uri 'none'", "form-action 'none'", "require-trusted-types-for 'script'")
+    return '; '.join(rules)
+
+
+def check(name, text, end):
+    """Text that would end its element, or that a browser would read otherwise than it stands here."""
+    if end in text.lower() or '<!--' in text or '{{' in text:
+        sys.exit(f'{name}: has {end}, <!-- or {{{{ in it')
+
+
+def fill(page, contents):
+    for name, text in contents.items():
+        if page.count('{{%s}}' % name) != 1:
+            sys.exit(f'page.html: {name} is wanted once')
+        page = page.replace('{{%s}}' % name, text)
+    return page
+
+
+def cut(page):
+    """The markup before each slot, with the slot's name; the last has none."""
+    pieces = re.split(r'\{\{(\w+)\}\}', page)
+    if sorted(pieces[1::2]) != sorted(SLOTS):
+        sys.exit(f'page.html: each of {", ".join(SLOTS)} is wanted once')
+    return list(zip(pieces[0::2], [*pieces[1::2], 'end']))
+
+
+def array(index, text):
+    data = text.encode()
+    rows = (', '.join(map(str, data[i:i + 24])) for i in range(0, len(data), 24))
+    return f'static const uint8_t part_{index}[] = {{\n    ' + ',\n    '.join(rows) + ',\n};\n'
+
+
+def source(parts):
+    arrays = ''.join(array(index, text) for index, (text, _) in enumerate(parts))
+    rows = ''.join(f'    {{part_{index}, sizeof part_{index}, MT_SLOT_{slot.upper()}}},\n'
+                   for index, (_, slot) in enumerate(parts))
+    return ('/* Made by specimen/page/embed.py. */\n#include "specimen/page.h"\n\n' + arrays +
+            'const mt_specimen_part mt_specimen_parts[] = {\n' + rows + '};\n')
+
+
+def main():
+    page, style = map(read, sys.argv[2:4])
+    script = ''.join(map(read, sys.argv[4:]))
+    check('the style', style, '</style')
+    check('the script', script, '</script')
+    page = fill(page, {'policy': policy(style, script), 'style': style, 'script': script})
+    pathlib.Path(sys.argv[1]).write_text(source(cut(page)), encoding='utf-8')
+
+
+main()
