@@ -9,8 +9,8 @@
  * mark's class. So each subtable here has one class of marks, and only the bases with an anchor for it: for
  * each class of A's in each class of B's one with anchors of both, and after these one with the anchors that
  * only A has. A third font divides each of these subtables in the same way, and so on. */
-#ifndef MT_ANCHOR_H
-#define MT_ANCHOR_H
+#ifndef MT_ANCHORS_ANCHOR_H
+#define MT_ANCHORS_ANCHOR_H
 
 #include "anchors/read.h"
 #include "glyphset/places.h"
@@ -21,7 +21,7 @@
 typedef struct mt_anchor_source {
     mt_font *font;
     const mt_layout *layout; /* of GPOS */
-    const mt_variations *variations;
+    const mt_gdef_deltas *variations;
 } mt_anchor_source;
 
 /* Where an anchor is in each font, in units of the new font, not rounded. */
@@ -54,7 +54,7 @@ typedef struct mt_cursive {
 } mt_cursive;
 
 typedef struct mt_anchor_lookup {
-    mt_made_lookup head; /* without subtables */
+    mt_lookup_builder head; /* without subtables */
     int attachment_count, attachment_room;
     mt_attachment *attachments; /* types 4 to 6, in the order in which they are tried */
     int cursive_count, cursive_room;
@@ -73,6 +73,6 @@ mt_status mt_anchors_prepare(const mt_anchor_source *sources, const mt_systems *
 
 /* Adds the lookups at these places to GPOS in the making. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_anchors_write(const mt_anchors *anchors, const mt_places *places, mt_arena *arena,
-                           mt_made_lookups *made);
+                           mt_lookup_builders *made);
 
 #endif

@@ -76,8 +76,8 @@ mt_status mt_anchor_move(mt_anchor_job *job, int font, int glyph, mt_anchor anch
 static mt_status blend_lookup(mt_anchor_job *job, int order, const mt_lookup *in_a, mt_anchor_lookup *made) {
     mt_member *members;
     mt_rivals rivals[MT_STOPS_MAX] = {0};
-    made->head =
-        (mt_made_lookup){.order = order, .type = in_a->type, .flag = in_a->flag, .mark_set = in_a->mark_set};
+    made->head = (mt_lookup_builder){
+        .order = order, .type = in_a->type, .flag = in_a->flag, .mark_set = in_a->mark_set};
     mt_status status =
         mt_members_of(job->sources[0].layout, order, job->arena, &members, &made->head.member_count);
     if (status != MT_OK || made->head.member_count == 0) return status;

@@ -7,10 +7,10 @@
 enum { ROWS_MAX = 1 << 18 };
 
 /* A base's component; `index` is the base's place in A's coverage. */
-typedef struct mt_row {
+typedef struct mt_anchor_row {
     uint16_t glyph, component, component_count;
     int index;
-} mt_row;
+} mt_anchor_row;
 
 /* A's marks, by class, then ascending. */
 static mt_status read_marks(mt_anchor_job *job, const mt_attachment_table *table, mt_read_mark **marks,
@@ -35,7 +35,8 @@ static mt_status read_marks(mt_anchor_job *job, const mt_attachment_table *table
 }
 
 /* A's bases, ascending, each with all its components. */
-static mt_status read_rows(mt_anchor_job *job, const mt_attachment_table *table, mt_row **rows, int *count) {
+static mt_status read_rows(mt_anchor_job *job, const mt_attachment_table *table, mt_anchor_row **rows,
+                           int *count) {
     mt_entry *entries;
     int entry_count, all = 0, made_count = 0;
     mt_status status = mt_anchor_entries(job, table->base_coverage, &entries, &entry_count);
@@ -43,13 +44,13 @@ static mt_status read_rows(mt_anchor_job *job, const mt_attachment_table *table,
     int64_t sum = 0;
     for (int i = 0; i < entry_count; i++) sum += mt_attachment_components(table, entries[i].index);
     if (sum <= ROWS_MAX && mt_anchor_spend(job, sum)) all = (int)sum;
-    mt_row *made = mt_arena_new(&job->scratch, (size_t)all + 1, sizeof *made);
+    mt_anchor_row *made = mt_arena_new(&job->scratch, (size_t)all + 1, sizeof *made);
     if (!made) return MT_NO_MEMORY;
     for (int i = 0; i < entry_count && made_count < all; i++) {
         int components = mt_attachment_components(table, entries[i].index);
         for (int c = 0; c < components; c++)
             made[made_count++] =
-                (mt_row){entries[i].glyph, (uint16_t)c, (uint16_t)components, entries[i].index};
+                (mt_anchor_row){entries[i].glyph, (uint16_t)c, (uint16_t)components, entries[i].index};
     }
     *rows = made;
     *count = made_count;
@@ -77,7 +78,7 @@ static mt_status add_marks(mt_anchor_job *job, const mt_read_mark *marks, int co
 }
 
 /* The rows that A has an anchor of for the class. */
-static mt_status add_bases(mt_anchor_job *job, const mt_attachment_table *table, const mt_row *rows,
+static mt_status add_bases(mt_anchor_job *job, const mt_attachment_table *table, const mt_anchor_row *rows,
                            int count, int mark_class, mt_attachment *made) {
     mt_status status = MT_OK;
     made->bases = mt_arena_new(&job->scratch, (size_t)count + 1, sizeof *made->bases);
@@ -113,7 +114,7 @@ mt_status mt_attachment_blend(mt_anchor_job *job, mt_bytes subtable, const mt_ri
                               mt_anchor_lookup *lookup) {
     mt_attachment_table table;
     mt_read_mark *marks;
-    mt_row *rows;
+    mt_anchor_row *rows;
     int mark_count, row_count;
     if (!mt_attachment_open(subtable, lookup->head.type, &table)) return MT_OK;
     mt_status status = read_marks(job, &table, &marks, &mark_count);

@@ -1,6 +1,6 @@
 /* One class of A's marks at work, as it is divided by what another font has for it. */
-#ifndef MT_ANCHOR_CLASS_H
-#define MT_ANCHOR_CLASS_H
+#ifndef MT_ANCHORS_CLASS_H
+#define MT_ANCHORS_CLASS_H
 
 #include "anchors/subtable.h"
 

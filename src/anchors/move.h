@@ -1,8 +1,8 @@
 /* Where an anchor of A's goes that B has not: it moves with the outline. What lies within the box of A's
  * glyph keeps its relative place in the box of B's; what lies outside keeps its distance from the nearer
  * side. */
-#ifndef MT_ANCHOR_MOVE_H
-#define MT_ANCHOR_MOVE_H
+#ifndef MT_ANCHORS_MOVE_H
+#define MT_ANCHORS_MOVE_H
 
 #include "anchors/read.h"
 #include "glyphset/places.h"

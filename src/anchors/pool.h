@@ -1,7 +1,7 @@
 /* Anchors as they are written: whole units, those that are the same at all places only once; behind them what varies in
  * them (OpenType spec, "GPOS": Anchor table formats 1 and 3). */
-#ifndef MT_ANCHOR_POOL_H
-#define MT_ANCHOR_POOL_H
+#ifndef MT_ANCHORS_POOL_H
+#define MT_ANCHORS_POOL_H
 
 #include "anchors/anchor.h"
 #include "layout/value_write.h"

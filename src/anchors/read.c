@@ -1,13 +1,13 @@
 #include "anchors/read.h"
 
 /* Formats 1, 2 (the number of a contour's point is for hinted outlines: its coordinates are taken) and 3. */
-static bool read_anchor(mt_bytes anchor, const mt_variations *variations, mt_anchor_point *point) {
+static bool read_anchor(mt_bytes anchor, const mt_gdef_deltas *variations, mt_anchor_point *point) {
     unsigned format = mt_ot_u16(anchor, 0);
     if (format < 1 || format > 3 || !mt_ot_has(anchor, 2, 4)) return false;
     *point = (mt_anchor_point){mt_ot_i16(anchor, 2), mt_ot_i16(anchor, 4)};
     if (format == 3) {
-        point->x += mt_variations_delta(variations, mt_ot_follow(anchor, 6));
-        point->y += mt_variations_delta(variations, mt_ot_follow(anchor, 8));
+        point->x += mt_gdef_delta(variations, mt_ot_follow(anchor, 6));
+        point->y += mt_gdef_delta(variations, mt_ot_follow(anchor, 8));
     }
     return true;
 }
@@ -27,7 +27,7 @@ bool mt_attachment_open(mt_bytes subtable, int type, mt_attachment_table *table)
            table->marks.length && table->bases.length;
 }
 
-bool mt_attachment_mark(const mt_attachment_table *table, int index, const mt_variations *variations,
+bool mt_attachment_mark(const mt_attachment_table *table, int index, const mt_gdef_deltas *variations,
                         int *mark_class, mt_anchor_point *point) {
     if (index < 0 || index >= mt_ot_fit(table->marks, 2, mt_ot_u16(table->marks, 0), 4)) return false;
     size_t at = 2 + 4 * (size_t)index;
@@ -57,7 +57,7 @@ int mt_attachment_components(const mt_attachment_table *table, int index) {
 }
 
 bool mt_attachment_base(const mt_attachment_table *table, int index, int component, int mark_class,
-                        const mt_variations *variations, mt_anchor_point *point) {
+                        const mt_gdef_deltas *variations, mt_anchor_point *point) {
     if (component < 0 || component >= mt_attachment_components(table, index)) return false;
     if (mark_class < 0 || mark_class >= table->class_count) return false;
     bool ligature = table->type == MT_MARK_TO_LIGATURE;
@@ -73,7 +73,7 @@ mt_bytes mt_cursive_coverage(mt_bytes subtable) {
     return mt_ot_u16(subtable, 0) == 1 ? mt_ot_follow(subtable, 2) : (mt_bytes){0};
 }
 
-bool mt_cursive_anchor(mt_bytes subtable, int index, int side, const mt_variations *variations,
+bool mt_cursive_anchor(mt_bytes subtable, int index, int side, const mt_gdef_deltas *variations,
                        mt_anchor_point *point) {
     if (index < 0 || index >= mt_ot_fit(subtable, 6, mt_ot_u16(subtable, 4), 4)) return false;
     size_t at = 6 + 4 * (size_t)index + 2 * (size_t)side;

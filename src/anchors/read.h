@@ -1,8 +1,8 @@
 /* Anchors as a font has them (OpenType spec, "GPOS": lookup types 3 to 6). The mark attachment subtables are
  * alike: marks with a class and an anchor each, and for each base, component of a ligature, or mark that
  * bears marks, an anchor for each class. All three are bases here. */
-#ifndef MT_ANCHOR_READ_H
-#define MT_ANCHOR_READ_H
+#ifndef MT_ANCHORS_READ_H
+#define MT_ANCHORS_READ_H
 
 #include "layout/gdef_deltas.h"
 #include "layout/ot.h"
@@ -29,7 +29,7 @@ typedef struct mt_attachment_table {
 bool mt_attachment_open(mt_bytes subtable, int type, mt_attachment_table *table);
 
 /* The class and the anchor of the mark at a place of the mark coverage; false when it has none. */
-bool mt_attachment_mark(const mt_attachment_table *table, int index, const mt_variations *variations,
+bool mt_attachment_mark(const mt_attachment_table *table, int index, const mt_gdef_deltas *variations,
                         int *mark_class, mt_anchor_point *point);
 
 /* How many components the base at a place of the base coverage has; 1 for what is no ligature, 0 for an index
@@ -38,12 +38,12 @@ int mt_attachment_components(const mt_attachment_table *table, int index);
 
 /* The anchor of a base's component for a class; false when it has none. */
 bool mt_attachment_base(const mt_attachment_table *table, int index, int component, int mark_class,
-                        const mt_variations *variations, mt_anchor_point *point);
+                        const mt_gdef_deltas *variations, mt_anchor_point *point);
 
 /* Type 3: the coverage of a subtable, empty when it is of no format known, and the anchor at a place of the
  * coverage where the line enters the glyph (side 0) or leaves it (side 1); false when it has none. */
 mt_bytes mt_cursive_coverage(mt_bytes subtable);
-bool mt_cursive_anchor(mt_bytes subtable, int index, int side, const mt_variations *variations,
+bool mt_cursive_anchor(mt_bytes subtable, int index, int side, const mt_gdef_deltas *variations,
                        mt_anchor_point *point);
 
 #endif

@@ -31,7 +31,7 @@ static int count_subtables(mt_anchor_job *job, int font, int type, bool *wanted)
     return count;
 }
 
-mt_status mt_rivals_find(mt_anchor_job *job, int font, const mt_made_lookup *lookup, mt_rivals *rivals) {
+mt_status mt_rivals_find(mt_anchor_job *job, int font, const mt_lookup_builder *lookup, mt_rivals *rivals) {
     const mt_layout *layout = job->sources[font].layout;
     int lookup_count = layout->lookup_count, count = 0;
     bool *wanted = mt_arena_new(&job->scratch, (size_t)lookup_count + 1, sizeof *wanted);

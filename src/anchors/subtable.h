@@ -1,6 +1,6 @@
 /* What the files that blend anchors share. */
-#ifndef MT_ANCHOR_JOB_H
-#define MT_ANCHOR_JOB_H
+#ifndef MT_ANCHORS_SUBTABLE_H
+#define MT_ANCHORS_SUBTABLE_H
 
 #include "anchors/anchor.h"
 #include "anchors/move.h"
@@ -51,7 +51,7 @@ mt_status mt_anchor_move(mt_anchor_job *job, int font, int glyph, mt_anchor anch
 
 /* anchor_rivals.c. The font's subtables of the type in the features and language systems that A's lookup is in: of
  * later lookups first, because those are applied last and so decide. In the arena. MT_NO_MEMORY. */
-mt_status mt_rivals_find(mt_anchor_job *job, int font, const mt_made_lookup *lookup, mt_rivals *rivals);
+mt_status mt_rivals_find(mt_anchor_job *job, int font, const mt_lookup_builder *lookup, mt_rivals *rivals);
 
 /* anchor_blend.c, anchor_cursive.c: add what becomes of a subtable of A's to the lookup; `rivals` are those of each font,
  * none of the first. MT_NO_MEMORY. */

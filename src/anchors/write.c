@@ -19,7 +19,7 @@ mt_status mt_subtables_add(mt_table *table, mt_arena *arena, mt_subtables *subta
 }
 
 static mt_status write_lookup(const mt_anchor_lookup *lookup, const mt_places *places, mt_arena *arena,
-                              mt_made_lookups *made) {
+                              mt_lookup_builders *made) {
     mt_subtables subtables = {0};
     mt_status status = MT_OK;
     for (int i = 0; i < lookup->attachment_count && status == MT_OK; i++)
@@ -27,14 +27,14 @@ static mt_status write_lookup(const mt_anchor_lookup *lookup, const mt_places *p
     for (int i = 0; i < lookup->cursive_count && status == MT_OK; i++)
         status = mt_cursive_write(&lookup->cursives[i], places, arena, &subtables);
     if (status != MT_OK || subtables.count == 0) return status;
-    mt_made_lookup head = lookup->head;
+    mt_lookup_builder head = lookup->head;
     head.subtable_count = subtables.count;
     head.subtables = subtables.list;
-    return mt_made_add(made, &head, arena);
+    return mt_lookup_builders_add(made, &head, arena);
 }
 
 mt_status mt_anchors_write(const mt_anchors *anchors, const mt_places *places, mt_arena *arena,
-                           mt_made_lookups *made) {
+                           mt_lookup_builders *made) {
     mt_status status = MT_OK;
     for (int i = 0; i < anchors->count && status == MT_OK; i++)
         status = write_lookup(&anchors->lookups[i], places, arena, made);

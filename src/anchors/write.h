@@ -1,7 +1,7 @@
 /* Anchors, static or varying, as GPOS subtables (OpenType spec, "GPOS": lookup types 3 to 6), in parts where 16-bit
  * offsets would not reach. */
-#ifndef MT_ANCHOR_WRITE_H
-#define MT_ANCHOR_WRITE_H
+#ifndef MT_ANCHORS_WRITE_H
+#define MT_ANCHORS_WRITE_H
 
 #include "anchors/anchor.h"
 

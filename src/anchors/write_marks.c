@@ -8,12 +8,12 @@
 enum { HEADER_SIZE = 12, MARKS_MAX = 4000, MARKS_MAX_VARYING = 2000, BASES_SIZE_MAX = 65535 };
 
 /* A part of an attachment that makes one subtable. */
-typedef struct mt_part {
+typedef struct mt_mark_part {
     int type;
     const mt_places *places;
     const mt_anchored *marks, *bases;
     int mark_count, base_count, glyph_count; /* glyphs: a base's components are one */
-} mt_part;
+} mt_mark_part;
 
 static int glyph_end(const mt_anchored *anchored, int count, int start) {
     int end = start + 1;
@@ -40,7 +40,7 @@ static mt_status pool_of(const mt_anchored *anchored, int count, const mt_places
     return status;
 }
 
-static mt_status write_marks(const mt_part *part, mt_arena *arena, mt_table *table) {
+static mt_status write_marks(const mt_mark_part *part, mt_arena *arena, mt_table *table) {
     mt_anchor_pool pool;
     mt_status status = pool_of(part->marks, part->mark_count, part->places, arena, &pool);
     if (status != MT_OK) return status;
@@ -67,7 +67,7 @@ static int ligature_size(const mt_anchored *base) {
     return 2 + 2 * base->component_count;
 }
 
-static void write_ligatures(const mt_part *part, const mt_anchor_pool *pool, mt_table *table) {
+static void write_ligatures(const mt_mark_part *part, const mt_anchor_pool *pool, mt_table *table) {
     const mt_anchored *bases = part->bases;
     int count = part->base_count, at = 2 + 2 * part->glyph_count;
     for (int i = 0; i < count; i = glyph_end(bases, count, i)) {
@@ -82,7 +82,7 @@ static void write_ligatures(const mt_part *part, const mt_anchor_pool *pool, mt_
     }
 }
 
-static mt_status write_bases(const mt_part *part, mt_arena *arena, mt_table *table) {
+static mt_status write_bases(const mt_mark_part *part, mt_arena *arena, mt_table *table) {
     mt_anchor_pool pool;
     mt_status status = pool_of(part->bases, part->base_count, part->places, arena, &pool);
     if (status != MT_OK) return status;
@@ -98,7 +98,7 @@ static mt_status write_bases(const mt_part *part, mt_arena *arena, mt_table *tab
 /* ---- subtables ----------------------------------------------------------------------------------------- */
 
 /* The four parts after the header, and where each starts; a failed table is noticed when it is kept. */
-static mt_status write_parts(const mt_part *part, mt_arena *arena, mt_table *table, size_t starts[4]) {
+static mt_status write_parts(const mt_mark_part *part, mt_arena *arena, mt_table *table, size_t starts[4]) {
     starts[0] = HEADER_SIZE;
     mt_status status = write_coverage(part->marks, part->mark_count, arena, table);
     starts[1] = HEADER_SIZE + table->length;
@@ -110,7 +110,7 @@ static mt_status write_parts(const mt_part *part, mt_arena *arena, mt_table *tab
     return status;
 }
 
-static mt_status write_part(const mt_part *part, mt_arena *arena, mt_subtables *subtables) {
+static mt_status write_part(const mt_mark_part *part, mt_arena *arena, mt_subtables *subtables) {
     mt_table parts = {0}, table = {0};
     size_t starts[4];
     mt_status status = write_parts(part, arena, &parts, starts);
@@ -131,13 +131,13 @@ static mt_status write_part(const mt_part *part, mt_arena *arena, mt_subtables *
 }
 
 /* What the components start … end of one base take at most. */
-static int base_size(const mt_part *part, int start, int end) {
+static int base_size(const mt_mark_part *part, int start, int end) {
     int anchors = mt_anchor_size_most(part->places) * (end - start);
     return part->type == MT_MARK_TO_LIGATURE ? 2 + ligature_size(&part->bases[start]) + anchors : 2 + anchors;
 }
 
 /* The bases from `start` on that go into one subtable; none for a base that fits in none. */
-static int fitting_bases(const mt_part *all, int start, int *glyph_count) {
+static int fitting_bases(const mt_mark_part *all, int start, int *glyph_count) {
     int size = 2, at = start;
     *glyph_count = 0;
     while (at < all->base_count) {
@@ -152,7 +152,7 @@ static int fitting_bases(const mt_part *all, int start, int *glyph_count) {
 
 mt_status mt_attachment_write(const mt_attachment *attachment, int type, const mt_places *places,
                               mt_arena *arena, mt_subtables *subtables) {
-    mt_part all = {
+    mt_mark_part all = {
         .type = type, .places = places, .bases = attachment->bases, .base_count = attachment->base_count};
     int most = places->store ? MARKS_MAX_VARYING : MARKS_MAX;
     mt_status status = MT_OK;
@@ -160,7 +160,7 @@ mt_status mt_attachment_write(const mt_attachment *attachment, int type, const m
         count = fitting_bases(&all, b, &glyphs);
         for (int m = 0; m < attachment->mark_count && glyphs && status == MT_OK; m += most) {
             int marks = attachment->mark_count - m < most ? attachment->mark_count - m : most;
-            mt_part part = {type, places, attachment->marks + m, all.bases + b, marks, count, glyphs};
+            mt_mark_part part = {type, places, attachment->marks + m, all.bases + b, marks, count, glyphs};
             status = write_part(&part, arena, subtables);
         }
         if (!glyphs) count = glyph_end(all.bases, all.base_count, b) - b;

@@ -1,6 +1,6 @@
 /* Base 64 (RFC 4648, section 4), written. */
-#ifndef MT_BASE64_H
-#define MT_BASE64_H
+#ifndef MT_BASE_BASE64_H
+#define MT_BASE_BASE64_H
 
 #include "base/buffer.h"
 

@@ -1,6 +1,6 @@
 /* Bytes that grow: what a picture or a JSON text is written into before it becomes a file. */
-#ifndef MT_BUFFER_H
-#define MT_BUFFER_H
+#ifndef MT_BASE_BUFFER_H
+#define MT_BASE_BUFFER_H
 
 #include "morphotype.h"
 

@@ -1,6 +1,6 @@
 /* Decimal numbers in text, the same in every locale. */
-#ifndef MT_DECIMAL_H
-#define MT_DECIMAL_H
+#ifndef MT_BASE_DECIMAL_H
+#define MT_BASE_DECIMAL_H
 
 #include <stdbool.h>
 #include <stdint.h>

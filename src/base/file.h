@@ -1,6 +1,6 @@
 /* Files read whole, and files that appear whole or not at all. */
-#ifndef MT_FILE_H
-#define MT_FILE_H
+#ifndef MT_BASE_FILE_H
+#define MT_BASE_FILE_H
 
 #include <sys/types.h>
 

@@ -1,6 +1,6 @@
 /* Directories that appear whole or not at all. */
-#ifndef MT_FOLDER_H
-#define MT_FOLDER_H
+#ifndef MT_BASE_FOLDER_H
+#define MT_BASE_FOLDER_H
 
 #include "morphotype.h"
 

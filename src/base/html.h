@@ -1,6 +1,6 @@
 /* Text of any origin in a page of HTML. */
-#ifndef MT_HTML_H
-#define MT_HTML_H
+#ifndef MT_BASE_HTML_H
+#define MT_BASE_HTML_H
 
 #include "base/buffer.h"
 

@@ -1,7 +1,7 @@
 /* JSON (RFC 8259), written. Commas and indentation come by themselves; numbers look the same in every locale.
  */
-#ifndef MT_JSON_H
-#define MT_JSON_H
+#ifndef MT_BASE_JSON_H
+#define MT_BASE_JSON_H
 
 #include "base/buffer.h"
 

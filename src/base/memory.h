@@ -5,8 +5,8 @@
  * arena belongs to one thread. Sizes are checked before they are multiplied; a call that fails returns NULL
  * and changes nothing.
  */
-#ifndef MT_MEMORY_H
-#define MT_MEMORY_H
+#ifndef MT_BASE_MEMORY_H
+#define MT_BASE_MEMORY_H
 
 #include <stddef.h>
 

@@ -1,6 +1,6 @@
 /* UTF-8 and UTF-16, one character at a time (Unicode 15, section 3.9). */
-#ifndef MT_UTF_H
-#define MT_UTF_H
+#ifndef MT_BASE_UTF_H
+#define MT_BASE_UTF_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
 /* Numbered pieces of work shared among threads. Which thread does which is left to chance: whoever takes part
  * keeps its results by number, so that they do not depend on it. */
-#ifndef MT_WORKERS_H
-#define MT_WORKERS_H
+#ifndef MT_BASE_WORKERS_H
+#define MT_BASE_WORKERS_H
 
 #include "base/memory.h"
 #include "morphotype.h"

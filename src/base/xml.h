@@ -2,8 +2,8 @@
  *
  * A document that could not grow has failed and takes nothing more; mt_xml_end tells. Text is UTF-8; characters that XML
  * 1.0 cannot hold are left out. */
-#ifndef MT_XML_H
-#define MT_XML_H
+#ifndef MT_BASE_XML_H
+#define MT_BASE_XML_H
 
 #include <libxml/xmlwriter.h>
 

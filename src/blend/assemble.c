@@ -41,7 +41,7 @@ mt_status mt_composite_assemble(const mt_composite *composite, const mt_assembly
     if (!made.references) return MT_NO_MEMORY;
     if (!place(composite, font, glyph, made.references)) return MT_OK;
     mt_status status = mt_glyf_extent(&made, font->extents, &reach);
-    if (status == MT_OK) status = mt_parts_overlap(&made, font, scratch, &overlap);
+    if (status == MT_OK) status = mt_parts_touch(&made, font, scratch, &overlap);
     if (status == MT_NO_MEMORY) return status;
     if (status != MT_OK || overlap || reach.points == 0) return MT_OK;
     *glyph = made;

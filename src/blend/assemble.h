@@ -1,6 +1,6 @@
 /* A composite at one place between the fonts: references to glyphs that are made already. */
-#ifndef MT_ASSEMBLE_H
-#define MT_ASSEMBLE_H
+#ifndef MT_BLEND_ASSEMBLE_H
+#define MT_BLEND_ASSEMBLE_H
 
 #include "blend/composite.h"
 #include "write/extent.h"
@@ -21,7 +21,6 @@ mt_status mt_composite_assemble(const mt_composite *composite, const mt_assembly
                                 mt_arena *scratch, mt_glyf *glyph, mt_extent *extent);
 
 /* Whether any two parts of a composite overlap, or touch. As mt_flatten and mt_union. */
-mt_status mt_parts_overlap(const mt_glyf *composite, const mt_assembly *font, mt_arena *scratch,
-                           bool *overlap);
+mt_status mt_parts_touch(const mt_glyf *composite, const mt_assembly *font, mt_arena *scratch, bool *overlap);
 
 #endif

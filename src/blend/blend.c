@@ -79,7 +79,7 @@ const mt_hint_index *mt_blend_hints(const mt_blend *blend) {
 }
 
 int mt_blend_units_per_em(const mt_blend *blend) {
-    return mt_recipe_units(blend->a, blend->b);
+    return mt_metadata_units(blend->a, blend->b);
 }
 
 /* ---- one glyph ----------------------------------------------------------------------------------------- */

@@ -1,6 +1,6 @@
 /* Which glyphs of a blend are built from others: those that both fonts build from the same parts. */
-#ifndef MT_COMPOSITE_H
-#define MT_COMPOSITE_H
+#ifndef MT_BLEND_COMPOSITE_H
+#define MT_BLEND_COMPOSITE_H
 
 #include "glyphset/charset.h"
 #include "hints/index.h"

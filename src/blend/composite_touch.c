@@ -107,8 +107,8 @@ static mt_status start_drawing(mt_drawer *drawer, const mt_glyf *composite, mt_a
     return drawer->outline.contours && drawer->segments ? MT_OK : MT_NO_MEMORY;
 }
 
-mt_status mt_parts_overlap(const mt_glyf *composite, const mt_assembly *font, mt_arena *scratch,
-                           bool *overlap) {
+mt_status mt_parts_touch(const mt_glyf *composite, const mt_assembly *font, mt_arena *scratch,
+                         bool *overlap) {
     mt_drawer drawer = {.font = font};
     int apart = 0, together = 0;
     *overlap = false;

@@ -37,7 +37,7 @@ static mt_status hand_over(const mt_job *job, int i, mt_arena *arena) {
     mt_add_extra(&data, MT_TAG('G', 'S', 'U', 'B'), job->layout.gsub);
     mt_add_extra(&data, MT_TAG('G', 'D', 'E', 'F'), job->layout.gdef);
     mt_status status =
-        mt_recipe_fill(job->blend->a, job->blend->b, job->t[i], job->blend->family, arena, &data);
+        mt_metadata_fill(job->blend->a, job->blend->b, job->t[i], job->blend->family, arena, &data);
     if (status == MT_OK) status = add_positions(job, job->t[i], arena, &data);
     return status == MT_OK ? job->ready(&data, i, job->user) : status;
 }

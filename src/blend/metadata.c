@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-int mt_recipe_units(const mt_font *a, const mt_font *b) {
+int mt_metadata_units(const mt_font *a, const mt_font *b) {
     int units = mt_font_units(a) > mt_font_units(b) ? mt_font_units(a) : mt_font_units(b);
     bool power_of_two = (units & (units - 1)) == 0;
     while (units < (power_of_two ? 2048 : 1000)) units *= 2;
@@ -98,8 +98,8 @@ static uint16_t stricter(uint16_t a, uint16_t b) {
     return further;
 }
 
-mt_status mt_recipe_fill(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
-                         mt_font_data *data) {
+mt_status mt_metadata_fill(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
+                           mt_font_data *data) {
     mt_metrics in_a, in_b;
     mt_font_metrics(a, &in_a);
     mt_font_metrics(b, &in_b);
@@ -108,5 +108,5 @@ mt_status mt_recipe_fill(const mt_font *a, const mt_font *b, double t, const cha
     data->metrics = mix_metrics(&in_a, &in_b, scale, t);
     data->created = data->modified = date_of(a, b);
     data->embedding = stricter(mt_font_embedding(a), mt_font_embedding(b));
-    return mt_recipe_names(a, b, t, family, arena, data);
+    return mt_metadata_names(a, b, t, family, arena, data);
 }

@@ -1,25 +1,25 @@
 /* What a blended font says of itself: metrics, names and dates made from those of its two sources. */
-#ifndef MT_RECIPE_H
-#define MT_RECIPE_H
+#ifndef MT_BLEND_METADATA_H
+#define MT_BLEND_METADATA_H
 
 #include "write/write.h"
 
 /* The new font's units per em: the larger of the sources', doubled until it is at least 1000 or, where it is a power of two,
  * 2048. On a coarse grid rounding alone blunts the thin tips of a brushed Han face. */
-int mt_recipe_units(const mt_font *a, const mt_font *b);
+int mt_metadata_units(const mt_font *a, const mt_font *b);
 
 /* Fills the metrics, names, dates and embedding bits of `data` for the font at t; its units must be set.
  * `family` replaces the family name made from the sources' when it is not NULL. The strings belong to the
  * arena, the fonts or the caller. MT_NO_MEMORY. */
-mt_status mt_recipe_fill(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
-                         mt_font_data *data);
+mt_status mt_metadata_fill(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
+                           mt_font_data *data);
 
 /* recipe_names.c: the names alone. */
-mt_status mt_recipe_names(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
-                          mt_font_data *data);
+mt_status mt_metadata_names(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
+                            mt_font_data *data);
 /* The names of a font that varies along the axis of axis.h from the first of 2 … 64 fonts to the last; all but the style.
  * `values` are what users set for each. A source's notices get less room where there are many. */
-mt_status mt_recipe_axis_names(mt_font *const *fonts, const double *values, int count, const char *family,
-                               mt_arena *arena, mt_font_data *data);
+mt_status mt_metadata_axis_names(mt_font *const *fonts, const double *values, int count, const char *family,
+                                 mt_arena *arena, mt_font_data *data);
 
 #endif

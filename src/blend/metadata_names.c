@@ -184,8 +184,8 @@ static mt_status name_family(mt_namer *namer, const mt_source *sources, int coun
     return status;
 }
 
-mt_status mt_recipe_names(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
-                          mt_font_data *data) {
+mt_status mt_metadata_names(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
+                            mt_font_data *data) {
     mt_namer namer = {.arena = arena};
     const mt_source sources[] = {read_source(&namer, a), read_source(&namer, b)};
     mt_status status = name_family(&namer, sources, 2, family, data);
@@ -194,8 +194,8 @@ mt_status mt_recipe_names(const mt_font *a, const mt_font *b, double t, const ch
     return namer.failed ? MT_NO_MEMORY : MT_OK;
 }
 
-mt_status mt_recipe_axis_names(mt_font *const *fonts, const double *values, int count, const char *family,
-                               mt_arena *arena, mt_font_data *data) {
+mt_status mt_metadata_axis_names(mt_font *const *fonts, const double *values, int count, const char *family,
+                                 mt_arena *arena, mt_font_data *data) {
     mt_namer namer = {.arena = arena};
     mt_source *sources = mt_arena_new(arena, (size_t)count, sizeof *sources);
     if (!sources) return MT_NO_MEMORY;

@@ -1,6 +1,6 @@
 /* One glyph's way from two fonts to a morph, and from the morph to a glyph of the new font. */
-#ifndef MT_PAIR_H
-#define MT_PAIR_H
+#ifndef MT_BLEND_PAIR_H
+#define MT_BLEND_PAIR_H
 
 #include "hints/index.h"
 #include "morph/model/morph.h"

@@ -15,13 +15,13 @@ typedef struct mt_reviewer {
 
 /* ---- lines --------------------------------------------------------------------------------------------- */
 
-typedef struct mt_line {
+typedef struct mt_notice {
     char text[1024];
     size_t length;
-} mt_line;
+} mt_notice;
 
 /* As printf, at the end of the line; what does not fit is cut off. */
-static void add(mt_line *line, const char *format, ...) {
+static void add(mt_notice *line, const char *format, ...) {
     va_list list;
     va_start(list, format);
     vsnprintf(line->text + line->length, sizeof line->text - line->length, format, list);
@@ -29,7 +29,7 @@ static void add(mt_line *line, const char *format, ...) {
     va_end(list);
 }
 
-static void say(const mt_reviewer *reviewer, const mt_line *line) {
+static void say(const mt_reviewer *reviewer, const mt_notice *line) {
     reviewer->call(line->text, reviewer->user);
 }
 
@@ -46,7 +46,7 @@ static void review_embedding(const mt_reviewer *reviewer, const mt_font *font) {
         {0x100, "no subsetting"},
         {0x200, "bitmap embedding only"},
     };
-    mt_line line = {0};
+    mt_notice line = {0};
     unsigned embedding = mt_font_embedding(font);
     for (size_t i = 0; i < sizeof restrictions / sizeof *restrictions; i++) {
         if (!(embedding & restrictions[i].bit)) continue;
@@ -82,7 +82,7 @@ static const char *find_restriction(const char *text) {
 /* Quotes the licence from the word before the phrase on, so that a person can judge. */
 static void review_license(const mt_reviewer *reviewer, const mt_font *font) {
     enum { QUOTE_MOST = 100 };
-    mt_line line = {0};
+    mt_notice line = {0};
     mt_names names;
     mt_font_names(font, &names);
     const char *text = names.license, *found = find_restriction(text);
@@ -97,7 +97,7 @@ static void review_license(const mt_reviewer *reviewer, const mt_font *font) {
 }
 
 static mt_status review_family(const mt_reviewer *reviewer, const mt_font *font) {
-    mt_line line = {0};
+    mt_notice line = {0};
     mt_reserved reserved;
     mt_arena arena = {0};
     mt_status status = reviewer->family ? mt_reserved_find(font, &arena, &reserved) : MT_OK;
@@ -115,7 +115,7 @@ static mt_status review_family(const mt_reviewer *reviewer, const mt_font *font)
 /* ---- tables -------------------------------------------------------------------------------------------- */
 
 /* Adds "COLR, CPAL of FONT" to the line, where the font has any. */
-static void add_tables(const mt_font *font, mt_line *line) {
+static void add_tables(const mt_font *font, mt_notice *line) {
     static const char *const tags[] = {"COLR", "CPAL", "CBDT", "CBLC", "sbix", "SVG ",
                                        "EBDT", "EBLC", "EBSC", "bdat", "bloc", "MATH"};
     int count = 0;
@@ -129,7 +129,7 @@ static void add_tables(const mt_font *font, mt_line *line) {
 }
 
 static void review_tables(const mt_reviewer *reviewer, const mt_font *a, const mt_font *b) {
-    mt_line tables = {0}, line = {0};
+    mt_notice tables = {0}, line = {0};
     add_tables(a, &tables);
     add_tables(b, &tables);
     add(&line, "colour, bitmap and math tables are left out: %s", tables.text);

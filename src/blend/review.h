@@ -1,6 +1,6 @@
 /* What a user should know of two fonts before the blend of them goes out. */
-#ifndef MT_REVIEW_H
-#define MT_REVIEW_H
+#ifndef MT_BLEND_REVIEW_H
+#define MT_BLEND_REVIEW_H
 
 #include "source/font.h"
 

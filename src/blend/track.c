@@ -12,13 +12,13 @@ typedef struct mt_strand {
     bool *kept;
 } mt_strand;
 
-typedef struct mt_spinner {
+typedef struct mt_fit_path {
     const mt_outline *drawn;
     int units;
     mt_arena *scratch;
     mt_strand strand; /* of the contour at hand; has room for the longest */
     bool too_large;
-} mt_spinner;
+} mt_fit_path;
 
 int mt_span_point_count(const mt_span *span) {
     return span->contour_count ? span->ends[span->contour_count - 1] + 1 : 0;
@@ -26,20 +26,20 @@ int mt_span_point_count(const mt_span *span) {
 
 /* ---- points on whole units ----------------------------------------------------------------------------- */
 
-static int16_t scaled(mt_spinner *spinner, int32_t v) {
+static int16_t scaled(mt_fit_path *spinner, int32_t v) {
     double units = floor((double)v * spinner->units / MT_EM + 0.5);
     bool fits = units >= INT16_MIN && units <= INT16_MAX;
     spinner->too_large = spinner->too_large || !fits;
     return fits ? (int16_t)units : 0;
 }
 
-static mt_glyf_point point_of(mt_spinner *spinner, mt_point p, bool on) {
+static mt_glyf_point point_of(mt_fit_path *spinner, mt_point p, bool on) {
     return (mt_glyf_point){scaled(spinner, p.x), scaled(spinner, p.y), on};
 }
 
 /* The points of a contour, backwards, since our outer rings are anticlockwise and 'glyf' fills to the right. The last
  * segment's end comes first: it is on the curve. */
-static int list_points(mt_spinner *spinner, const mt_contour *contour, mt_glyf_point *points) {
+static int list_points(mt_fit_path *spinner, const mt_contour *contour, mt_glyf_point *points) {
     int count = 0;
     for (int i = contour->count - 1; i >= 0; i--) {
         const mt_segment *segment = &contour->segments[i];
@@ -49,7 +49,7 @@ static int list_points(mt_spinner *spinner, const mt_contour *contour, mt_glyf_p
     return count;
 }
 
-static void read_strand(mt_spinner *spinner, int contour) {
+static void read_strand(mt_fit_path *spinner, int contour) {
     mt_strand *strand = &spinner->strand;
     for (int i = 0; i < strand->places; i++)
         strand->count = list_points(spinner, &spinner->drawn[i].contours[contour], strand->points[i]);
@@ -127,7 +127,7 @@ static mt_status new_rows(int places, size_t room, mt_arena *arena, mt_glyf_poin
     return MT_OK;
 }
 
-static mt_status start(mt_spinner *spinner, int places, mt_arena *kept, mt_span *span) {
+static mt_status start(mt_fit_path *spinner, int places, mt_arena *kept, mt_span *span) {
     size_t most = 0, longest = 0;
     for (int i = 0; i < spinner->drawn->count; i++) {
         size_t room = 2 * (size_t)spinner->drawn->contours[i].count;
@@ -145,7 +145,7 @@ static mt_status start(mt_spinner *spinner, int places, mt_arena *kept, mt_span 
 mt_status mt_span_make(const mt_outline *drawn, const int *places, int count, int units, mt_arena *kept,
                        mt_arena *scratch, mt_span *span) {
     mt_span made = {.place_count = count, .places = places};
-    mt_spinner spinner = {.drawn = drawn, .units = units, .scratch = scratch};
+    mt_fit_path spinner = {.drawn = drawn, .units = units, .scratch = scratch};
     mt_status status = start(&spinner, count, kept, &made);
     if (status != MT_OK) return status;
     for (int i = 0; i < drawn->count; i++) {

@@ -1,6 +1,6 @@
 /* A glyph over a part of the axis: contours whose points move on straight lines from place to place. */
-#ifndef MT_SPAN_H
-#define MT_SPAN_H
+#ifndef MT_BLEND_TRACK_H
+#define MT_BLEND_TRACK_H
 
 #include "source/font.h"
 #include "write/write.h"

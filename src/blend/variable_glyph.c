@@ -59,7 +59,7 @@ static mt_status fall_back(mt_worker *worker, const mt_glyph_pair *pair, mt_pass
 /* ---- contours that move -------------------------------------------------------------------------------- */
 
 /* Whether the contours lie over one another, or themselves, at one of some places on the way. */
-static mt_status find_overlap(mt_worker *worker, const mt_morph *morph, const mt_moving *moving,
+static mt_status find_overlap(mt_worker *worker, const mt_morph *morph, const mt_variable_outline *moving,
                               bool *overlaps) {
     enum { LOOKS = 4 };
     mt_outline outline;
@@ -69,7 +69,7 @@ static mt_status find_overlap(mt_worker *worker, const mt_morph *morph, const mt
     for (int i = 0; i <= LOOKS && clean; i++) {
         mt_arena_place before = mt_arena_mark(&worker->scratch);
         mt_weights weights = mt_weights_at((double)i / LOOKS);
-        mt_status status = mt_moving_at(morph, moving, weights, &worker->scratch, &outline);
+        mt_status status = mt_variable_outline_at(morph, moving, weights, &worker->scratch, &outline);
         if (status == MT_OK)
             status = mt_outline_resolve(&outline, tolerance, &worker->scratch, &shape, &clean);
         mt_arena_rewind(&worker->scratch, before);
@@ -79,15 +79,15 @@ static mt_status find_overlap(mt_worker *worker, const mt_morph *morph, const mt
     return MT_OK;
 }
 
-static mt_status draw_steps(mt_worker *worker, const mt_morph *morph, const mt_moving *moving, int steps,
-                            mt_span *span) {
+static mt_status draw_steps(mt_worker *worker, const mt_morph *morph, const mt_variable_outline *moving,
+                            int steps, mt_span *span) {
     const mt_job *job = worker->job;
     int *places = new_places(worker, steps + 1);
     mt_outline *drawn = mt_arena_new(&worker->scratch, (size_t)steps + 1, sizeof *drawn);
     if (!places || !drawn) return MT_NO_MEMORY;
     for (int i = 0; i <= steps; i++) {
         mt_weights weights = mt_weights_at((double)i / steps);
-        mt_status status = mt_moving_at(morph, moving, weights, &worker->scratch, &drawn[i]);
+        mt_status status = mt_variable_outline_at(morph, moving, weights, &worker->scratch, &drawn[i]);
         if (status != MT_OK) return status;
         places[i] = job->from + (int)((int64_t)(job->to - job->from) * i / steps);
     }
@@ -95,11 +95,12 @@ static mt_status draw_steps(mt_worker *worker, const mt_morph *morph, const mt_m
 }
 
 static mt_status move(mt_worker *worker, const mt_morph *morph, mt_passage *passage) {
-    mt_moving moving;
-    mt_status status = mt_moving_make(morph, &worker->job->blend->params, &worker->scratch, &moving);
+    mt_variable_outline moving;
+    mt_status status =
+        mt_variable_outline_make(morph, &worker->job->blend->params, &worker->scratch, &moving);
     if (status == MT_OK) status = new_spans(worker, 1, passage);
     if (status != MT_OK) return status;
-    int steps = mt_moving_steps(morph, &moving, mt_grid_units(TURN_WITHIN));
+    int steps = mt_variable_outline_steps(morph, &moving, mt_grid_units(TURN_WITHIN));
     status = draw_steps(worker, morph, &moving, steps, &passage->spans[0]);
     if (status == MT_OK) status = find_overlap(worker, morph, &moving, &passage->spans[0].overlaps);
     return status;

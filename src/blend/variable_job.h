@@ -4,8 +4,8 @@
  * move. Contours of neighbouring steps need not be compatible: a glyph has those of all steps, and those of a step that is not
  * at hand are collapsed to a point. Since the axis has whole places (MT_PLACE_ONE of them), a step's contours go at one place
  * and the next step's are there at the next, with nothing in between. */
-#ifndef MT_VARIABLE_JOB_H
-#define MT_VARIABLE_JOB_H
+#ifndef MT_BLEND_VARIABLE_JOB_H
+#define MT_BLEND_VARIABLE_JOB_H
 
 #include "blend/job.h"
 #include "glyphset/charset_row.h"

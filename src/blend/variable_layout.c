@@ -56,7 +56,7 @@ static mt_status add_figures(const mt_course *course, mt_arena *arena, mt_font_d
     for (int i = 0; i < stops; i++) {
         const mt_blend *blend = course->jobs[i ? i - 1 : 0].blend;
         mt_font_data stop = {.units = course->units};
-        mt_status status = mt_recipe_fill(blend->a, blend->b, i ? 1 : 0, data->family, arena, &stop);
+        mt_status status = mt_metadata_fill(blend->a, blend->b, i ? 1 : 0, data->family, arena, &stop);
         if (status != MT_OK) return status;
         metrics[i] = stop.metrics;
         vertical = vertical || stop.metrics.vertical;

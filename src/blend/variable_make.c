@@ -128,7 +128,7 @@ static int compare_places(const void *a, const void *b) {
 }
 
 /* The quarters of the axis, and its stops. */
-static mt_status name_places(mt_making *making, mt_variation *variation) {
+static mt_status name_places(mt_making *making, mt_axis_data *variation) {
     enum { QUARTERS = 4 };
     int fonts = making->variable->count, count = 0;
     mt_status status = MT_OK;
@@ -152,10 +152,10 @@ static mt_status describe(mt_making *making, mt_font_data *data) {
     const mt_variable *variable = making->variable;
     const char *family = variable->steps[0]->family;
     mt_status status =
-        mt_recipe_fill(variable->fonts[0], variable->fonts[1], 0, family, &making->arena, data);
+        mt_metadata_fill(variable->fonts[0], variable->fonts[1], 0, family, &making->arena, data);
     if (status == MT_OK)
-        status = mt_recipe_axis_names(variable->fonts, making->values, variable->count, family,
-                                      &making->arena, data);
+        status = mt_metadata_axis_names(variable->fonts, making->values, variable->count, family,
+                                        &making->arena, data);
     data->style = data->variation->named[0].name;
     return status;
 }
@@ -174,7 +174,7 @@ static mt_status add_layout(mt_making *making, mt_font_data *data) {
 
 static mt_status hand_over(mt_making *making, bool masters, mt_font_ready ready, void *user) {
     const mt_charset *charset = &making->course.charsets.spokes[0];
-    mt_variation variation = {.tag = MT_AXIS_TAG,
+    mt_axis_data variation = {.tag = MT_AXIS_TAG,
                               .name = MT_AXIS_NAME,
                               .least = 0,
                               .most = MT_AXIS_END,
@@ -199,7 +199,7 @@ static mt_status hand_over(mt_making *making, bool masters, mt_font_ready ready,
 static int units_of(const mt_variable *variable) {
     int units = 0;
     for (int i = 0; i + 1 < variable->count; i++) {
-        int needed = mt_recipe_units(variable->fonts[i], variable->fonts[i + 1]);
+        int needed = mt_metadata_units(variable->fonts[i], variable->fonts[i + 1]);
         if (needed > units) units = needed;
     }
     return units;

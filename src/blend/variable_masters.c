@@ -134,7 +134,7 @@ static mt_status make_master(const mt_course *course, const mt_font_data *font, 
     *master = *font;
     master->variation = NULL;
     master->extra_count = 0;
-    mt_status status = mt_recipe_fill(blend->a, blend->b, spot.t, font->family, arena, master);
+    mt_status status = mt_metadata_fill(blend->a, blend->b, spot.t, font->family, arena, master);
     take_names(font, master);
     if (status == MT_OK) status = name_style(place, arena, &master->style);
     if (status == MT_OK) status = glyphs_at(font, place, arena, &master->glyphs);

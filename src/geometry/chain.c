@@ -129,12 +129,12 @@ static void spread(const mt_solver *s, int m) {
 /* ---- the normal equations -------------------------------------------------------------------------------- */
 
 /* How far a sample is from the chain, and how that changes with the unknowns. */
-typedef struct mt_row {
+typedef struct mt_equation {
     int count, unknown[TERMS];
     double slope[TERMS], off;
-} mt_row;
+} mt_equation;
 
-static void add_term(mt_row *row, int unknown, double slope) {
+static void add_term(mt_equation *row, int unknown, double slope) {
     for (int i = 0; i < row->count; i++)
         if (row->unknown[i] == unknown) {
             row->slope[i] += slope;
@@ -162,7 +162,7 @@ static bool is_tied(const mt_anchorage end[MASTERS]) {
     return end[0].arm > 0 && end[1].arm > 0;
 }
 
-static void add_end(const mt_anchorage end[MASTERS], int m, bool last, mt_vec weight, mt_row *row) {
+static void add_end(const mt_anchorage end[MASTERS], int m, bool last, mt_vec weight, mt_equation *row) {
     double slope = dot(end[m].along, weight) * (last ? -1 : 1);
     if (is_tied(end))
         add_term(row, end_unknown(0, last), slope * end[m].arm);
@@ -170,7 +170,7 @@ static void add_end(const mt_anchorage end[MASTERS], int m, bool last, mt_vec we
         add_term(row, end_unknown(m, last), slope);
 }
 
-static void add_control(const mt_chain *c, int m, int k, mt_vec weight, mt_row *row) {
+static void add_control(const mt_chain *c, int m, int k, mt_vec weight, mt_equation *row) {
     if (k == 0)
         add_end(c->start, m, false, weight, row);
     else if (k == c->count - 1)
@@ -182,7 +182,7 @@ static void add_control(const mt_chain *c, int m, int k, mt_vec weight, mt_row *
 }
 
 /* The change with what node k is made of, when the sample changes by `weight` with the node. */
-static void add_node(const mt_solver *s, int m, int k, mt_vec weight, mt_row *row) {
+static void add_node(const mt_solver *s, int m, int k, mt_vec weight, mt_equation *row) {
     const mt_chain *c = s->chain;
     if (k == 0 || k == c->count) return;
     double share = c->share[k - 1];
@@ -192,12 +192,12 @@ static void add_node(const mt_solver *s, int m, int k, mt_vec weight, mt_row *ro
         add_term(row, share_unknown(c, k - 1), dot(weight, minus(c->control[m][k], c->control[m][k - 1])));
 }
 
-static mt_row row_of(const mt_solver *s, int m, int j) {
+static mt_equation row_of(const mt_solver *s, int m, int j) {
     const mt_sample *sample = &s->runs[m].samples[j];
     mt_foot foot = s->feet[m][j];
     mt_vec normal = {-sample->dy, sample->dx};
     double t = foot.t, before = (1 - t) * (1 - t), middle = 2 * t * (1 - t), after = t * t;
-    mt_row row = {.off = dot(normal, minus(point_at(s->chain, m, foot), place_of(sample)))};
+    mt_equation row = {.off = dot(normal, minus(point_at(s->chain, m, foot), place_of(sample)))};
     add_node(s, m, foot.segment, (mt_vec){before * normal.x, before * normal.y}, &row);
     add_control(s->chain, m, foot.segment, (mt_vec){middle * normal.x, middle * normal.y}, &row);
     add_node(s, m, foot.segment + 1, (mt_vec){after * normal.x, after * normal.y}, &row);
@@ -206,7 +206,7 @@ static mt_row row_of(const mt_solver *s, int m, int j) {
 
 /* That control k lies in the middle between its neighbours, the first and the last a third of the way from their end to the
  * next, in x or in y: settles what samples say little about. */
-static mt_row evenness(const mt_solver *s, int m, int k, mt_vec axis) {
+static mt_equation evenness(const mt_solver *s, int m, int k, mt_vec axis) {
     const mt_chain *c = s->chain;
     const mt_vec *control = c->control[m];
     bool first = k == 0, last = k == c->count - 1;
@@ -215,14 +215,14 @@ static mt_row evenness(const mt_solver *s, int m, int k, mt_vec axis) {
     mt_vec weights[3];
     for (int i = 0; i < 3; i++)
         weights[i] = (mt_vec){s->evenness * shares[i] * axis.x, s->evenness * shares[i] * axis.y};
-    mt_row row = {.off = dot(weights[0], before) + dot(weights[1], control[k]) + dot(weights[2], after)};
+    mt_equation row = {.off = dot(weights[0], before) + dot(weights[1], control[k]) + dot(weights[2], after)};
     if (!first) add_control(c, m, k - 1, weights[0], &row);
     add_control(c, m, k, weights[1], &row);
     if (!last) add_control(c, m, k + 1, weights[2], &row);
     return row;
 }
 
-static void add_row(mt_solver *s, const mt_row *row) {
+static void add_row(mt_solver *s, const mt_equation *row) {
     for (int i = 0; i < row->count; i++) {
         for (int k = 0; k < row->count; k++)
             s->matrix[row->unknown[i] * s->unknowns + row->unknown[k]] += row->slope[i] * row->slope[k];
@@ -236,11 +236,11 @@ static void set_up(mt_solver *s) {
     memset(s->right, 0, (size_t)n * sizeof(double));
     for (int m = 0; m < MASTERS; m++) {
         for (int j = 0; j < s->runs[m].count; j++) {
-            mt_row row = row_of(s, m, j);
+            mt_equation row = row_of(s, m, j);
             add_row(s, &row);
         }
         for (int k = 0; k < s->chain->count; k++) {
-            mt_row in_x = evenness(s, m, k, (mt_vec){1, 0}), in_y = evenness(s, m, k, (mt_vec){0, 1});
+            mt_equation in_x = evenness(s, m, k, (mt_vec){1, 0}), in_y = evenness(s, m, k, (mt_vec){0, 1});
             add_row(s, &in_x);
             add_row(s, &in_y);
         }

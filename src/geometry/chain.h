@@ -1,6 +1,6 @@
 /* Chains of quadratics through samples of two curves at once, smooth on the whole way between them. */
-#ifndef MT_CHAIN_H
-#define MT_CHAIN_H
+#ifndef MT_GEOMETRY_CHAIN_H
+#define MT_GEOMETRY_CHAIN_H
 
 #include "geometry/spline.h"
 

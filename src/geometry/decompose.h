@@ -1,6 +1,6 @@
 /* Convex decomposition, section 2.1 of the paper. */
-#ifndef MT_DECOMPOSE_H
-#define MT_DECOMPOSE_H
+#ifndef MT_GEOMETRY_DECOMPOSE_H
+#define MT_GEOMETRY_DECOMPOSE_H
 
 #include "geometry/ring.h"
 

@@ -1,6 +1,6 @@
 /* Which part of a shape a place is in, or nearest to: how hints find what they mean. */
-#ifndef MT_PLACE_H
-#define MT_PLACE_H
+#ifndef MT_GEOMETRY_INSIDE_H
+#define MT_GEOMETRY_INSIDE_H
 
 #include "geometry/ring.h"
 

@@ -1,6 +1,6 @@
 /* Every limit and every tolerance, in one place, with its unit and its reason. */
-#ifndef MT_LIMITS_H
-#define MT_LIMITS_H
+#ifndef MT_GEOMETRY_LIMITS_H
+#define MT_GEOMETRY_LIMITS_H
 
 /* Grid units in the em. All geometry is in integers on this grid. 256 000 is a common multiple of 1000, 1024,
  * 2000 and 2048, so that nearly every font's own units fall on it exactly, and a unit of a 1000-unit em is
@@ -45,7 +45,7 @@ static inline double mt_grid_units(double thousandths) {
 #define MT_COMPARISONS_MAX (1 << 28)
 
 /* Variation sequences that are read of a font. The largest have some 40 000. */
-#define MT_VARIANTS_MAX (1 << 18)
+#define MT_VARIATION_SEQUENCES_MAX (1 << 18)
 
 /* The longest name of a glyph that is written, in bytes (Adobe Glyph List specification, section 2). */
 #define MT_GLYPH_NAME_MAX 63
@@ -88,6 +88,6 @@ static inline double mt_grid_units(double thousandths) {
 #define MT_INK_EXCESS 0.03
 
 /* Places between the ends at which an in-between's counts are looked at, evenly spaced. */
-#define MT_CENSUS_STEPS 19
+#define MT_TOPOLOGY_STEPS 19
 
 #endif

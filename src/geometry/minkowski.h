@@ -1,6 +1,6 @@
 /* The weighted Minkowski sum of two convex pieces: rA ⊕ (1 - r)B, section 2.3 of the paper. */
-#ifndef MT_MINKOWSKI_H
-#define MT_MINKOWSKI_H
+#ifndef MT_GEOMETRY_MINKOWSKI_H
+#define MT_GEOMETRY_MINKOWSKI_H
 
 #include "geometry/ring.h"
 

@@ -1,7 +1,7 @@
 /* Outlines as they are drawn: closed contours of lines, quadratic and cubic Béziers, on the grid.
  * flatten.c turns them into rings, fit.c turns rings back into contours of lines and quadratics. */
-#ifndef MT_OUTLINE_H
-#define MT_OUTLINE_H
+#ifndef MT_GEOMETRY_OUTLINE_H
+#define MT_GEOMETRY_OUTLINE_H
 
 #include "geometry/ring.h"
 

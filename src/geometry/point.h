@@ -1,7 +1,7 @@
 /* Points on the integer grid (limits.h: MT_EM grid units an em, |x| and |y| up to MT_COORD_MAX) and the two
  * exact predicates that all of geometry rests on. */
-#ifndef MT_POINT_H
-#define MT_POINT_H
+#ifndef MT_GEOMETRY_POINT_H
+#define MT_GEOMETRY_POINT_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -8,8 +8,8 @@
  * Each point carries a mark that remembers where it came from, so that curves can be told from corners again
  * when the result is fitted. Geometry itself decides nothing by marks.
  */
-#ifndef MT_RING_H
-#define MT_RING_H
+#ifndef MT_GEOMETRY_RING_H
+#define MT_GEOMETRY_RING_H
 
 #include "base/memory.h"
 #include "geometry/point.h"

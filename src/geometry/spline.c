@@ -196,7 +196,7 @@ static mt_joint_arc joint_arc(const mt_problem *p, int from, int to) {
 
 /* Where two masters head apart at a node that they share, the curves between them may have a kink there: a
  * price on the angle. */
-static double kink_price(const mt_problem *p, int k) {
+static double kink_cost(const mt_problem *p, int k) {
     if (p->master_count < 2 || k == p->count - 1) return 0;
     const mt_sample *a = &p->masters[0][k], *b = &p->masters[1][k];
     double degrees =
@@ -229,7 +229,7 @@ static bool turned_back(const mt_problem *p, int from, int to) {
 
 static double cost_of(const mt_problem *p, const mt_joint_arc *arc, int to) {
     double share = arc->error / p->tolerance;
-    return 1 + ERROR_SHARE * share * share + kink_price(p, to);
+    return 1 + ERROR_SHARE * share * share + kink_cost(p, to);
 }
 
 /* Takes an arc that costs less than the best way so far, once it is sure that it fits. */

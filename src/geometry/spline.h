@@ -1,7 +1,7 @@
 /* Quadratic splines through samples of a smooth curve, or of several curves at once that shall share their
  * points. */
-#ifndef MT_SPLINE_H
-#define MT_SPLINE_H
+#ifndef MT_GEOMETRY_SPLINE_H
+#define MT_GEOMETRY_SPLINE_H
 
 #include "geometry/outline.h"
 

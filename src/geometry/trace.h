@@ -1,7 +1,7 @@
 /* A ring read as the drawing it came from: which vertices are corners, which edges are lines, where its
  * curves head. */
-#ifndef MT_TRACE_H
-#define MT_TRACE_H
+#ifndef MT_GEOMETRY_TRACE_H
+#define MT_GEOMETRY_TRACE_H
 
 #include "geometry/ring.h"
 

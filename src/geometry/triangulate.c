@@ -26,7 +26,7 @@ typedef struct mt_edge {
     uint8_t marks; /* of the point where the ring edge along it starts */
 } mt_edge;
 
-typedef struct mt_work {
+typedef struct mt_triangulation {
     int vertex_count; /* without the three of the triangle around */
     mt_point *points;
     uint8_t *marks; /* of each point */
@@ -37,7 +37,7 @@ typedef struct mt_work {
     int *stack;
     int stack_count, stack_room;
     mt_arena *arena;
-} mt_work;
+} mt_triangulation;
 
 /* ---- half-edges -------------------------------------------------------------------------------------------
  */
@@ -50,32 +50,32 @@ static int prev(int e) {
     return e % 3 == 0 ? e + 2 : e - 1;
 }
 
-static int start_of(const mt_work *w, int e) {
+static int start_of(const mt_triangulation *w, int e) {
     return w->edges[e].start;
 }
 
-static int end_of(const mt_work *w, int e) {
+static int end_of(const mt_triangulation *w, int e) {
     return w->edges[next(e)].start;
 }
 
-static mt_point at(const mt_work *w, int e) {
+static mt_point at(const mt_triangulation *w, int e) {
     return w->points[w->edges[e].start];
 }
 
 /* Puts an edge into a slot, and tells its twin and its vertex where it is now. */
-static void put(mt_work *w, int slot, mt_edge edge) {
+static void put(mt_triangulation *w, int slot, mt_edge edge) {
     w->edges[slot] = edge;
     if (edge.twin >= 0) w->edges[edge.twin].twin = slot;
     w->out[edge.start] = slot;
 }
 
-static void put_diagonal(mt_work *w, int e, int start, int f, int end) {
+static void put_diagonal(mt_triangulation *w, int e, int start, int f, int end) {
     w->edges[f] = (mt_edge){.start = end, .twin = e};
     put(w, e, (mt_edge){.start = start, .twin = f});
     w->out[end] = f;
 }
 
-static bool push(mt_work *w, int e) {
+static bool push(mt_triangulation *w, int e) {
     if (w->stack_count == w->stack_room) {
         int room = 2 * w->stack_room;
         int *stack = mt_arena_new(w->arena, (size_t)room, sizeof *stack);
@@ -93,7 +93,7 @@ static bool push(mt_work *w, int e) {
  *      u--e--v  with  e   →   u     v  with e = y→x
  *       \ | /   u→v            \   /   in the left triangle
  *         y                      y                              The diagonal u–v becomes x–y. */
-static void flip(mt_work *w, int e) {
+static void flip(mt_triangulation *w, int e) {
     int f = w->edges[e].twin;
     int e1 = next(e), e2 = prev(e), f1 = next(f), f2 = prev(f);
     mt_edge vx = w->edges[e1], xu = w->edges[e2], uy = w->edges[f1], yv = w->edges[f2];
@@ -104,14 +104,14 @@ static void flip(mt_work *w, int e) {
     put_diagonal(w, e, yv.start, f, xu.start);
 }
 
-static bool is_delaunay(const mt_work *w, int e) {
+static bool is_delaunay(const mt_triangulation *w, int e) {
     int f = w->edges[e].twin;
     if (f < 0 || w->edges[e].fixed) return true;
     return mt_in_circle(at(w, e), at(w, next(e)), at(w, prev(e)), at(w, prev(f))) <= 0;
 }
 
 /* Flips what is on the stack, and what those flips disturb, until all of it is locally Delaunay. */
-static mt_status legalise(mt_work *w) {
+static mt_status legalise(mt_triangulation *w) {
     while (w->stack_count > 0) {
         int e = w->stack[--w->stack_count];
         if (is_delaunay(w, e)) continue;
@@ -144,13 +144,13 @@ static uint32_t hilbert(uint32_t x, uint32_t y) {
     return place;
 }
 
-typedef struct mt_stop {
+typedef struct mt_sweep_stop {
     uint32_t place;
     int vertex;
-} mt_stop;
+} mt_sweep_stop;
 
 static int by_place(const void *p, const void *q) {
-    const mt_stop *a = p, *b = q;
+    const mt_sweep_stop *a = p, *b = q;
     if (a->place != b->place) return a->place < b->place ? -1 : 1;
     return (a->vertex > b->vertex) - (a->vertex < b->vertex);
 }
@@ -163,14 +163,14 @@ static int64_t longer_side(mt_box box) {
     return side > 0 ? side : 1;
 }
 
-static mt_stop *insertion_order(const mt_work *w, mt_box box) {
-    mt_stop *stops = mt_arena_new(w->arena, (size_t)w->vertex_count, sizeof *stops);
+static mt_sweep_stop *insertion_order(const mt_triangulation *w, mt_box box) {
+    mt_sweep_stop *stops = mt_arena_new(w->arena, (size_t)w->vertex_count, sizeof *stops);
     if (!stops) return NULL;
     int64_t side = longer_side(box);
     for (int i = 0; i < w->vertex_count; i++) {
         uint32_t x = (uint32_t)(((int64_t)w->points[i].x - box.min.x) * 65535 / side);
         uint32_t y = (uint32_t)(((int64_t)w->points[i].y - box.min.y) * 65535 / side);
-        stops[i] = (mt_stop){hilbert(x, y), i};
+        stops[i] = (mt_sweep_stop){hilbert(x, y), i};
     }
     qsort(stops, (size_t)w->vertex_count, sizeof *stops, by_place);
     return stops;
@@ -178,7 +178,7 @@ static mt_stop *insertion_order(const mt_work *w, mt_box box) {
 
 /* A triangle that holds p, found by walking from half-edge e across edges that have p on their right. In a
  * Delaunay triangulation such a walk cannot go round in circles. */
-static int locate(const mt_work *w, int e, mt_point p) {
+static int locate(const mt_triangulation *w, int e, mt_point p) {
     for (int tried = 0; tried < 3; tried++, e = next(e)) {
         while (mt_orient(at(w, e), at(w, next(e)), p) < 0) {
             e = next(w->edges[e].twin);
@@ -190,19 +190,19 @@ static int locate(const mt_work *w, int e, mt_point p) {
 
 /* Fills slots e, e + 1, e + 2 with the triangle under `base` with apex p; the sides to p are left without
  * twins. */
-static void put_fan(mt_work *w, int e, mt_edge base, int end, int p) {
+static void put_fan(mt_triangulation *w, int e, mt_edge base, int end, int p) {
     w->edges[e + 1] = (mt_edge){.start = end, .twin = -1};
     put(w, e, base);
     put(w, e + 2, (mt_edge){.start = p, .twin = -1});
 }
 
-static void glue(mt_work *w, int e, int f) {
+static void glue(mt_triangulation *w, int e, int f) {
     w->edges[e].twin = f;
     w->edges[f].twin = e;
 }
 
 /* Vertex p strictly inside the triangle of e: three triangles. */
-static bool split_triangle(mt_work *w, int e, int p) {
+static bool split_triangle(mt_triangulation *w, int e, int p) {
     int base[3] = {e - e % 3, w->edge_count, w->edge_count + 3};
     mt_edge side[3];
     for (int i = 0; i < 3; i++) side[i] = w->edges[base[0] + i];
@@ -213,7 +213,7 @@ static bool split_triangle(mt_work *w, int e, int p) {
 }
 
 /* Vertex p strictly inside edge e: four triangles around it, over the far sides of e's two triangles. */
-static bool split_edge(mt_work *w, int e, int p) {
+static bool split_edge(mt_triangulation *w, int e, int p) {
     int f = w->edges[e].twin;
     mt_edge side[4] = {w->edges[next(e)], w->edges[prev(e)], w->edges[next(f)], w->edges[prev(f)]};
     int base[4] = {e - e % 3, w->edge_count, f - f % 3, w->edge_count + 3};
@@ -223,7 +223,7 @@ static bool split_edge(mt_work *w, int e, int p) {
     return push(w, base[0]) && push(w, base[1]) && push(w, base[2]) && push(w, base[3]);
 }
 
-static mt_status insert(mt_work *w, int vertex, int *near) {
+static mt_status insert(mt_triangulation *w, int vertex, int *near) {
     mt_point p = w->points[vertex];
     int e = locate(w, *near, p);
     w->same[vertex] = vertex;
@@ -242,7 +242,7 @@ static mt_status insert(mt_work *w, int vertex, int *near) {
     return room ? legalise(w) : MT_NO_MEMORY;
 }
 
-static mt_status insert_vertices(mt_work *w) {
+static mt_status insert_vertices(mt_triangulation *w) {
     int n = w->vertex_count;
     mt_ring all = {n, w->points, NULL};
     mt_box box = mt_ring_box(&all);
@@ -252,7 +252,7 @@ static mt_status insert_vertices(mt_work *w) {
     w->points[n + 2] = (mt_point){box.min.x - far, box.min.y + 3 * far};
     for (int i = 0; i < 3; i++) put(w, i, (mt_edge){.start = n + i, .twin = -1});
     w->edge_count = 3;
-    mt_stop *stops = insertion_order(w, box);
+    mt_sweep_stop *stops = insertion_order(w, box);
     if (!stops) return MT_NO_MEMORY;
     int near = 0;
     for (int i = 0; i < n; i++) {
@@ -265,7 +265,7 @@ static mt_status insert_vertices(mt_work *w) {
 /* ---- 2: the ring edges ------------------------------------------------------------------------------------
  */
 
-static void fix(mt_work *w, int e, uint8_t marks) {
+static void fix(mt_triangulation *w, int e, uint8_t marks) {
     int f = w->edges[e].twin;
     w->edges[e].fixed = w->edges[f].fixed = true;
     w->edges[e].marks = marks;
@@ -276,7 +276,7 @@ static void fix(mt_work *w, int e, uint8_t marks) {
 /* The half-edge at u along which, or the triangle at u through which, the way to v leaves: either the edge
  * u→w with w on the way, or the edge u→x such that the way passes between x and the triangle's third corner.
  */
-static int leave_towards(const mt_work *w, int u, int v, bool *along) {
+static int leave_towards(const mt_triangulation *w, int u, int v, bool *along) {
     mt_point p = w->points[u], q = w->points[v];
     int e = w->out[u];
     for (;;) {
@@ -292,7 +292,7 @@ static int leave_towards(const mt_work *w, int u, int v, bool *along) {
 /* Collects on the stack the ends of the edges between u's triangle e and the first vertex on the way to v,
  * which becomes *reached. Ends, because slots move when edges are flipped. MT_BAD_GEOMETRY when a ring edge
  * stands in the way. */
-static mt_status collect_crossed(mt_work *w, int e, int u, int v, int *reached) {
+static mt_status collect_crossed(mt_triangulation *w, int e, int u, int v, int *reached) {
     mt_point p = w->points[u], q = w->points[v];
     e = next(e); /* across the triangle at u */
     for (;;) {
@@ -310,7 +310,7 @@ static mt_status collect_crossed(mt_work *w, int e, int u, int v, int *reached) 
 
 /* The half-edge u→v, which is there: found by going around whichever end is no corner of the triangle around, since one
  * cannot go all around those. */
-static int find_edge(const mt_work *w, int u, int v) {
+static int find_edge(const mt_triangulation *w, int u, int v) {
     int hub = u < w->vertex_count ? u : v, rim = hub == u ? v : u;
     int e = w->out[hub];
     while (end_of(w, e) != rim) e = w->edges[prev(e)].twin;
@@ -318,7 +318,7 @@ static int find_edge(const mt_work *w, int u, int v) {
 }
 
 /* Whether the two triangles beside e make a strictly convex quadrangle, so that e can be flipped. */
-static bool can_flip(const mt_work *w, int e) {
+static bool can_flip(const mt_triangulation *w, int e) {
     int f = w->edges[e].twin;
     mt_point x = at(w, prev(e)), y = at(w, prev(f));
     return mt_orient(y, at(w, next(e)), x) > 0 && mt_orient(x, at(w, e), y) > 0;
@@ -327,7 +327,7 @@ static bool can_flip(const mt_work *w, int e) {
 /* One pass over the crossing edges in pairs[0 … 2 × count): flips each that can be. Those that cross u→v
  * still, or again, stay in pairs, in order, and their count is returned; those that do not any more go to the
  * front of the stack. */
-static int flip_pass(mt_work *w, int u, int v, int *pairs, int count, int *clear) {
+static int flip_pass(mt_triangulation *w, int u, int v, int *pairs, int count, int *clear) {
     mt_point p = w->points[u], q = w->points[v];
     int kept = 0;
     *clear = 0;
@@ -347,7 +347,7 @@ static int flip_pass(mt_work *w, int u, int v, int *pairs, int count, int *clear
 }
 
 /* Flips away every edge whose ends are on the stack; leaves there, as half-edges, the new edges but u→v. */
-static mt_status flip_crossed(mt_work *w, int u, int v) {
+static mt_status flip_crossed(mt_triangulation *w, int u, int v) {
     int all = w->stack_count / 2, count = all, clear_count = 0;
     int *pairs = mt_arena_new(w->arena, 2 * (size_t)all, sizeof *pairs);
     int *clear = mt_arena_new(w->arena, 2 * (size_t)all, sizeof *clear);
@@ -366,7 +366,7 @@ static mt_status flip_crossed(mt_work *w, int u, int v) {
 }
 
 /* Makes the ring edge u→v an edge of the triangulation, in parts where vertices lie on it. */
-static mt_status force_edge(mt_work *w, int u, int v, uint8_t marks) {
+static mt_status force_edge(mt_triangulation *w, int u, int v, uint8_t marks) {
     while (u != v) {
         bool along;
         int e = leave_towards(w, u, v, &along);
@@ -386,7 +386,7 @@ static mt_status force_edge(mt_work *w, int u, int v, uint8_t marks) {
     return MT_OK;
 }
 
-static mt_status force_ring(mt_work *w, int first, int count) {
+static mt_status force_ring(mt_triangulation *w, int first, int count) {
     for (int i = 0; i < count; i++) {
         int u = w->same[first + i], v = w->same[first + (i + 1) % count];
         mt_status status = force_edge(w, u, v, w->marks[first + i]);
@@ -401,7 +401,7 @@ static mt_status force_ring(mt_work *w, int first, int count) {
 enum { UNSEEN = INT32_MIN };
 
 /* The winding of each triangle, counted from the outside inwards. */
-static mt_status count_windings(mt_work *w, int *winding) {
+static mt_status count_windings(mt_triangulation *w, int *winding) {
     for (int i = 0; i < w->edge_count / 3; i++) winding[i] = UNSEEN;
     int outside = w->out[w->vertex_count] / 3;
     winding[outside] = 0;
@@ -418,7 +418,7 @@ static mt_status count_windings(mt_work *w, int *winding) {
     return MT_OK;
 }
 
-static mt_status keep_ink(mt_work *w, mt_mesh *mesh) {
+static mt_status keep_ink(mt_triangulation *w, mt_mesh *mesh) {
     int triangles = w->edge_count / 3;
     int *winding = mt_arena_new(w->arena, (size_t)triangles, sizeof *winding);
     int *place = mt_arena_new(w->arena, (size_t)triangles, sizeof *place);
@@ -447,7 +447,7 @@ static mt_status keep_ink(mt_work *w, mt_mesh *mesh) {
 /* ---- all of it --------------------------------------------------------------------------------------------
  */
 
-static mt_status gather(const mt_component *component, mt_work *w, mt_mesh *mesh) {
+static mt_status gather(const mt_component *component, mt_triangulation *w, mt_mesh *mesh) {
     int64_t total = 0;
     for (int i = 0; i < component->count; i++) total += component->rings[i].count;
     if (total > MT_POINTS_MAX) return MT_TOO_LARGE;
@@ -479,7 +479,7 @@ static mt_status gather(const mt_component *component, mt_work *w, mt_mesh *mesh
 }
 
 mt_status mt_triangulate(const mt_component *component, mt_arena *arena, mt_mesh *mesh) {
-    mt_work w = {.arena = arena};
+    mt_triangulation w = {.arena = arena};
     mt_mesh made = {0};
     mt_status status = gather(component, &w, &made);
     if (status == MT_OK) status = insert_vertices(&w);

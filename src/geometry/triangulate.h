@@ -1,6 +1,6 @@
 /* Exact constrained Delaunay triangulation of a component over its own vertices. */
-#ifndef MT_TRIANGULATE_H
-#define MT_TRIANGULATE_H
+#ifndef MT_GEOMETRY_TRIANGULATE_H
+#define MT_GEOMETRY_TRIANGULATE_H
 
 #include "geometry/ring.h"
 

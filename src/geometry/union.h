@@ -1,6 +1,6 @@
 /* Union of polygons, by Clipper (A. Johnson; B. R. Vatti, "A generic solution to polygon clipping", 1992). */
-#ifndef MT_UNION_H
-#define MT_UNION_H
+#ifndef MT_GEOMETRY_UNION_H
+#define MT_GEOMETRY_UNION_H
 
 #include "geometry/outline.h"
 

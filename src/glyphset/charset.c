@@ -68,7 +68,7 @@ static mt_status list_all(const mt_font *a, const mt_font *b, mt_glyph_set set, 
 
 /* The sequences of characters that are taken in: those of both fonts, or all of A's. */
 typedef struct mt_sequence {
-    const mt_variant *a, *b; /* b is NULL where B has none */
+    const mt_variation_sequence *a, *b; /* b is NULL where B has none */
 } mt_sequence;
 
 typedef struct mt_sequences {
@@ -78,17 +78,18 @@ typedef struct mt_sequences {
 
 static mt_status list_sequences(mt_font *a, mt_font *b, const mt_codes *codes, mt_glyph_set set,
                                 mt_arena *arena, mt_sequences *sequences) {
-    mt_variants in_a, in_b;
-    mt_status status = mt_font_variants(a, arena, &in_a);
-    if (status == MT_OK) status = mt_font_variants(b, arena, &in_b);
+    mt_variation_sequences in_a, in_b;
+    mt_status status = mt_font_variation_sequences(a, arena, &in_a);
+    if (status == MT_OK) status = mt_font_variation_sequences(b, arena, &in_b);
     if (status != MT_OK) return status;
     mt_sequence *list = mt_arena_new(arena, (size_t)in_a.count + 1, sizeof *list);
     if (!list) return MT_NO_MEMORY;
     *sequences = (mt_sequences){0, list};
     for (int i = 0; i < in_a.count; i++) {
-        const mt_variant *variant = &in_a.list[i];
+        const mt_variation_sequence *variant = &in_a.list[i];
         mt_code key = {variant->code_point, 0, 0};
-        const mt_variant *other = mt_variants_find(&in_b, variant->selector, variant->code_point);
+        const mt_variation_sequence *other =
+            mt_variation_sequences_find(&in_b, variant->selector, variant->code_point);
         if (!other && set != MT_GLYPHS_FIRST) continue;
         if (bsearch(&key, codes->list, (size_t)codes->count, sizeof key, ascending))
             list[sequences->count++] = (mt_sequence){variant, other};
@@ -98,13 +99,13 @@ static mt_status list_sequences(mt_font *a, mt_font *b, const mt_codes *codes, m
 
 /* ---- pairs --------------------------------------------------------------------------------------------- */
 
-static void pair_codes(const mt_codes *codes, mt_match *match) {
+static void pair_codes(const mt_codes *codes, mt_glyph_match *match) {
     for (int i = 0; i < codes->count; i++)
         if (codes->list[i].b)
             mt_match_pair(match, codes->list[i].a, codes->list[i].b, codes->list[i].code_point);
 }
 
-static void pair_sequences(const mt_sequences *sequences, mt_match *match) {
+static void pair_sequences(const mt_sequences *sequences, mt_glyph_match *match) {
     for (int i = 0; i < sequences->count; i++) {
         const mt_sequence *s = &sequences->list[i];
         if (s->b) mt_match_pair(match, s->a->glyph, s->b->glyph, s->a->code_point);
@@ -113,10 +114,10 @@ static void pair_sequences(const mt_sequences *sequences, mt_match *match) {
 
 /* What is wanted is paired first; the rest follows, since forms of what is wanted may come from it. */
 static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_codes *wanted, const mt_sequences *sequences,
-                             const mt_gsub *gsub_a, mt_arena *arena, mt_match *match) {
+                             const mt_gsub *gsub_a, mt_arena *arena, mt_glyph_match *match) {
     mt_codes all = {0};
     mt_gsub gsub_b;
-    mt_status status = mt_match_new(a, b, arena, match);
+    mt_status status = mt_glyph_match_new(a, b, arena, match);
     if (status == MT_OK) status = list_all(a, b, MT_GLYPHS_BOTH, arena, &all);
     if (status == MT_OK) {
         pair_codes(wanted, match);
@@ -130,8 +131,8 @@ static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_codes *wanted, con
 
 /* Marks the glyphs of A's that are kept. */
 static mt_status keep_glyphs(const mt_codes *codes, const mt_sequences *sequences,
-                             const mt_charset_request *request, const mt_gsub *gsub, const mt_match *match,
-                             mt_arena *arena, bool *kept) {
+                             const mt_charset_request *request, const mt_gsub *gsub,
+                             const mt_glyph_match *match, mt_arena *arena, bool *kept) {
     bool first = request->set == MT_GLYPHS_FIRST;
     kept[0] = true;
     for (int i = 0; i < codes->count; i++) kept[codes->list[i].a] = true;
@@ -144,12 +145,12 @@ static mt_status keep_glyphs(const mt_codes *codes, const mt_sequences *sequence
 /* ---- glyphs -------------------------------------------------------------------------------------------- */
 
 /* Whether the character leads to the glyph's first pair, rather than to a further one. */
-static bool is_primary(const mt_match *match, mt_code code) {
+static bool is_primary(const mt_glyph_match *match, mt_code code) {
     return !code.b || match->partner[code.a] == code.b;
 }
 
-static void list_primaries(const mt_match *match, const mt_codes *codes, const bool *kept, uint16_t *numbers,
-                           mt_charset *charset) {
+static void list_primaries(const mt_glyph_match *match, const mt_codes *codes, const bool *kept,
+                           uint16_t *numbers, mt_charset *charset) {
     for (int i = 0; i < match->count_a; i++) {
         if (!kept[i]) continue;
         numbers[i] = (uint16_t)charset->glyph_count;
@@ -174,7 +175,7 @@ static int by_glyphs(const void *p, const void *q) {
 }
 
 /* Each further pair once, by the first character that leads to it. */
-static mt_status list_further(const mt_match *match, const mt_codes *codes, mt_arena *arena,
+static mt_status list_further(const mt_glyph_match *match, const mt_codes *codes, mt_arena *arena,
                               mt_codes *further) {
     int count = 0, once = 0;
     mt_code *list = mt_arena_new(arena, (size_t)codes->count + 1, sizeof *list);
@@ -217,7 +218,7 @@ static mt_status add_further(mt_codes *further, mt_arena *arena, mt_charset *cha
     return MT_OK;
 }
 
-static mt_status map_chars(const mt_match *match, const mt_codes *codes, const uint16_t *numbers,
+static mt_status map_chars(const mt_glyph_match *match, const mt_codes *codes, const uint16_t *numbers,
                            mt_arena *arena, mt_charset *charset) {
     mt_codes further;
     mt_sorted_glyph *sorted;
@@ -242,9 +243,9 @@ static mt_status list_variants(const mt_sequences *sequences, const uint16_t *nu
     charset->variants = mt_arena_new(arena, (size_t)sequences->count + 1, sizeof *charset->variants);
     if (!charset->variants) return MT_NO_MEMORY;
     for (int i = 0; i < sequences->count; i++) {
-        const mt_variant *a = sequences->list[i].a;
+        const mt_variation_sequence *a = sequences->list[i].a;
         charset->variants[i] =
-            (mt_char_variant){a->selector, a->code_point, numbers[a->glyph], a->by_default};
+            (mt_char_variation){a->selector, a->code_point, numbers[a->glyph], a->by_default};
     }
     charset->variant_count = sequences->count;
     return MT_OK;
@@ -252,8 +253,9 @@ static mt_status list_variants(const mt_sequences *sequences, const uint16_t *nu
 
 /* ---- the whole ----------------------------------------------------------------------------------------- */
 
-static mt_status list_glyphs(const mt_match *match, const mt_codes *codes, const mt_sequences *sequences,
-                             const bool *kept, mt_arena *arena, mt_charset *charset) {
+static mt_status list_glyphs(const mt_glyph_match *match, const mt_codes *codes,
+                             const mt_sequences *sequences, const bool *kept, mt_arena *arena,
+                             mt_charset *charset) {
     mt_charset made = {0};
     uint16_t *numbers = mt_arena_new(arena, (size_t)match->count_a, sizeof *numbers);
     made.glyphs = mt_arena_new(arena, (size_t)match->count_a + (size_t)codes->count, sizeof *made.glyphs);
@@ -270,7 +272,7 @@ mt_status mt_charset_make(mt_font *a, mt_font *b, const mt_charset_request *requ
     mt_codes codes = {0};
     mt_sequences sequences;
     mt_gsub gsub;
-    mt_match match;
+    mt_glyph_match match;
     mt_status status = request->count ? list_wanted(a, b, request, arena, &codes)
                                       : list_all(a, b, request->set, arena, &codes);
     if (status != MT_OK) return status;

@@ -1,6 +1,6 @@
 /* Which characters and glyphs a blend has. */
-#ifndef MT_CHARSET_H
-#define MT_CHARSET_H
+#ifndef MT_GLYPHSET_CHARSET_H
+#define MT_GLYPHSET_CHARSET_H
 
 #include "glyphset/match.h"
 #include "gsub/subset.h"
@@ -23,7 +23,7 @@ typedef struct mt_charset {
     int char_count;
     mt_char *chars; /* ascending */
     int variant_count;
-    mt_char_variant *variants; /* variation sequences of these characters; by selector, then by character */
+    mt_char_variation *variants; /* variation sequences of these characters; by selector, then by character */
 } mt_charset;
 
 typedef struct mt_charset_request {

@@ -5,58 +5,58 @@
 #include "geometry/limits.h"
 
 /* A glyph of the new font: one of each font. All but the first are MT_NO_PARTNER where some font has none. */
-typedef struct mt_tuple {
+typedef struct mt_glyph_tuple {
     int count; /* of the fonts */
     uint32_t *of;
     uint32_t code_point; /* the first that leads here */
     bool mapped;
     uint16_t number; /* among the new font's glyphs */
-} mt_tuple;
+} mt_glyph_tuple;
 
 typedef struct mt_rower {
     int count;         /* of the fonts */
     mt_charset *pairs; /* the first font with each of the others */
     mt_arena *arena;
-    int room;            /* for the first font's glyphs */
-    mt_tuple *primaries; /* of each of them; no `of` where it is not kept */
+    int room;                  /* for the first font's glyphs */
+    mt_glyph_tuple *primaries; /* of each of them; no `of` where it is not kept */
     int further_count;
-    mt_tuple *further; /* where characters lead elsewhere than to their glyph's primary */
+    mt_glyph_tuple *further; /* where characters lead elsewhere than to their glyph's primary */
     int glyph_count;
-    const mt_tuple **glyphs; /* the new font's */
+    const mt_glyph_tuple **glyphs; /* the new font's */
     int char_count;
     mt_char *chars;
     int variant_count;
-    mt_char_variant *variants;
+    mt_char_variation *variants;
 } mt_rower;
 
 /* ---- tuples -------------------------------------------------------------------------------------------- */
 
-static int compare_tuples(const mt_tuple *x, const mt_tuple *y) {
+static int compare_tuples(const mt_glyph_tuple *x, const mt_glyph_tuple *y) {
     for (int i = 0; i < x->count; i++)
         if (x->of[i] != y->of[i]) return x->of[i] < y->of[i] ? -1 : 1;
     return 0;
 }
 
 static int by_glyphs(const void *p, const void *q) {
-    const mt_tuple *x = p, *y = q;
+    const mt_glyph_tuple *x = p, *y = q;
     int order = compare_tuples(x, y);
     return order ? order : (x->code_point > y->code_point) - (x->code_point < y->code_point);
 }
 
 static int by_code_point(const void *p, const void *q) {
-    const mt_tuple *x = p, *y = q;
+    const mt_glyph_tuple *x = p, *y = q;
     return (x->code_point > y->code_point) - (x->code_point < y->code_point);
 }
 
-static mt_status new_tuple(const mt_rower *rower, uint32_t first, mt_tuple *tuple) {
-    *tuple = (mt_tuple){rower->count, mt_arena_new(rower->arena, (size_t)rower->count, sizeof(uint32_t)), 0,
-                        false, 0};
+static mt_status new_tuple(const mt_rower *rower, uint32_t first, mt_glyph_tuple *tuple) {
+    *tuple = (mt_glyph_tuple){
+        rower->count, mt_arena_new(rower->arena, (size_t)rower->count, sizeof(uint32_t)), 0, false, 0};
     if (!tuple->of) return MT_NO_MEMORY;
     tuple->of[0] = first;
     return MT_OK;
 }
 
-static void leave_alone(mt_tuple *tuple) {
+static void leave_alone(mt_glyph_tuple *tuple) {
     bool whole = true;
     for (int i = 1; i < tuple->count; i++) whole = whole && tuple->of[i] != MT_NO_PARTNER;
     for (int i = 1; i < tuple->count && !whole; i++) tuple->of[i] = MT_NO_PARTNER;
@@ -66,8 +66,8 @@ static void leave_alone(mt_tuple *tuple) {
 
 /* Those that all pairs have; `next` is where each pair's list has been read to. */
 static mt_status add_primary(mt_rower *rower, const mt_pairing *pairing, int *next) {
-    mt_tuple *tuple = &rower->primaries[pairing->a];
-    mt_tuple made;
+    mt_glyph_tuple *tuple = &rower->primaries[pairing->a];
+    mt_glyph_tuple made;
     mt_status status = new_tuple(rower, pairing->a, &made);
     for (int i = 0; i + 1 < rower->count && status == MT_OK; i++) {
         const mt_charset *pair = &rower->pairs[i];
@@ -110,7 +110,7 @@ static int find_char(const mt_charset *pair, uint32_t code_point) {
 }
 
 /* Where a character leads in every font. *shared: all pairs have it. */
-static mt_status read_char(const mt_rower *rower, uint32_t code_point, mt_tuple *tuple, bool *shared) {
+static mt_status read_char(const mt_rower *rower, uint32_t code_point, mt_glyph_tuple *tuple, bool *shared) {
     *shared = true;
     mt_status status = new_tuple(rower, 0, tuple);
     for (int i = 0; i + 1 < rower->count && status == MT_OK && *shared; i++) {
@@ -133,11 +133,11 @@ static mt_status list_chars(mt_rower *rower) {
     rower->further = mt_arena_new(rower->arena, room, sizeof *rower->further);
     if (!rower->chars || !rower->further) return MT_NO_MEMORY;
     for (int i = 0; i < pair->char_count; i++) {
-        mt_tuple tuple;
+        mt_glyph_tuple tuple;
         bool shared;
         mt_status status = read_char(rower, pair->chars[i].code_point, &tuple, &shared);
         if (status != MT_OK) return status;
-        mt_tuple *primary = &rower->primaries[tuple.of[0]];
+        mt_glyph_tuple *primary = &rower->primaries[tuple.of[0]];
         if (!shared || !primary->of) continue;
         rower->chars[rower->char_count++].code_point = tuple.code_point;
         bool leads_to_primary = compare_tuples(&tuple, primary) == 0;
@@ -152,7 +152,7 @@ static mt_status list_chars(mt_rower *rower) {
 /* Each further tuple once, in the order of the characters that lead there, as long as there is room. */
 static void settle_further(mt_rower *rower, int room) {
     int once = 0, count = rower->further_count;
-    mt_tuple *list = rower->further;
+    mt_glyph_tuple *list = rower->further;
     if (count) qsort(list, (size_t)count, sizeof *list, by_glyphs);
     for (int i = 0; i < count; i++)
         if (once == 0 || compare_tuples(&list[i], &list[once - 1]) != 0) list[once++] = list[i];
@@ -185,16 +185,16 @@ static mt_status number_glyphs(mt_rower *rower) {
 /* The further tuples are in order of glyphs again, to be looked up. */
 static mt_status map_chars(mt_rower *rower) {
     size_t count = (size_t)rower->further_count;
-    mt_tuple *sorted = mt_arena_new(rower->arena, count + 1, sizeof *sorted);
+    mt_glyph_tuple *sorted = mt_arena_new(rower->arena, count + 1, sizeof *sorted);
     if (!sorted) return MT_NO_MEMORY;
     for (size_t i = 0; i < count; i++) sorted[i] = rower->further[i];
     if (count) qsort(sorted, count, sizeof *sorted, by_glyphs);
     for (int i = 0; i < rower->char_count; i++) {
-        mt_tuple tuple;
+        mt_glyph_tuple tuple;
         bool shared;
         mt_status status = read_char(rower, rower->chars[i].code_point, &tuple, &shared);
         if (status != MT_OK) return status;
-        const mt_tuple *found = &rower->primaries[tuple.of[0]];
+        const mt_glyph_tuple *found = &rower->primaries[tuple.of[0]];
         size_t low = 0, high = compare_tuples(&tuple, found) == 0 ? 0 : count;
         while (low < high) {
             size_t middle = (low + high) / 2;
@@ -210,10 +210,10 @@ static mt_status map_chars(mt_rower *rower) {
     return MT_OK;
 }
 
-static bool has_variant(const mt_charset *pair, const mt_char_variant *variant) {
+static bool has_variant(const mt_charset *pair, const mt_char_variation *variant) {
     for (int low = 0, high = pair->variant_count; low < high;) {
         int middle = (low + high) / 2;
-        const mt_char_variant *v = &pair->variants[middle];
+        const mt_char_variation *v = &pair->variants[middle];
         if (v->selector == variant->selector && v->code_point == variant->code_point) return true;
         bool before = v->selector < variant->selector ||
                       (v->selector == variant->selector && v->code_point < variant->code_point);
@@ -230,8 +230,8 @@ static mt_status list_variants(mt_rower *rower) {
     rower->variants = mt_arena_new(rower->arena, (size_t)pair->variant_count + 1, sizeof *rower->variants);
     if (!rower->variants) return MT_NO_MEMORY;
     for (int i = 0; i < pair->variant_count; i++) {
-        mt_char_variant variant = pair->variants[i];
-        const mt_tuple *primary = &rower->primaries[pair->glyphs[variant.glyph].a];
+        mt_char_variation variant = pair->variants[i];
+        const mt_glyph_tuple *primary = &rower->primaries[pair->glyphs[variant.glyph].a];
         bool shared = primary->of != NULL;
         for (int k = 1; k + 1 < rower->count; k++) shared = shared && has_variant(&rower->pairs[k], &variant);
         if (!shared) continue;
@@ -254,7 +254,7 @@ static mt_status make_charset(const mt_rower *rower, int a, int b, mt_charset *c
     charset->glyphs = mt_arena_new(rower->arena, (size_t)rower->glyph_count, sizeof *charset->glyphs);
     if (!charset->glyphs) return MT_NO_MEMORY;
     for (int i = 0; i < rower->glyph_count; i++) {
-        const mt_tuple *tuple = rower->glyphs[i];
+        const mt_glyph_tuple *tuple = rower->glyphs[i];
         bool alone = tuple->of[1] == MT_NO_PARTNER;
         charset->unblended_count += alone;
         charset->glyphs[i] =

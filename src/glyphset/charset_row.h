@@ -1,6 +1,6 @@
 /* Which characters and glyphs a variable font of several fonts in a row has. */
-#ifndef MT_CHARSET_ROW_H
-#define MT_CHARSET_ROW_H
+#ifndef MT_GLYPHSET_CHARSET_ROW_H
+#define MT_GLYPHSET_CHARSET_ROW_H
 
 #include "glyphset/charset.h"
 

@@ -1,7 +1,7 @@
 #include "glyphset/match.h"
 
-mt_status mt_match_new(const mt_font *a, const mt_font *b, mt_arena *arena, mt_match *match) {
-    mt_match made = {.count_a = mt_font_glyph_count(a), .count_b = mt_font_glyph_count(b)};
+mt_status mt_glyph_match_new(const mt_font *a, const mt_font *b, mt_arena *arena, mt_glyph_match *match) {
+    mt_glyph_match made = {.count_a = mt_font_glyph_count(a), .count_b = mt_font_glyph_count(b)};
     made.partner = mt_arena_new(arena, (size_t)made.count_a + 1, sizeof *made.partner);
     made.origin = mt_arena_new(arena, (size_t)made.count_a + 1, sizeof *made.origin);
     made.taken = mt_arena_new(arena, (size_t)made.count_b + 1, sizeof *made.taken);
@@ -12,7 +12,7 @@ mt_status mt_match_new(const mt_font *a, const mt_font *b, mt_arena *arena, mt_m
     return MT_OK;
 }
 
-bool mt_match_pair(mt_match *match, uint32_t a, uint32_t b, uint32_t origin) {
+bool mt_match_pair(mt_glyph_match *match, uint32_t a, uint32_t b, uint32_t origin) {
     if (a >= (uint32_t)match->count_a || b >= (uint32_t)match->count_b) return false;
     if (match->partner[a] != MT_NO_PARTNER) return false;
     match->partner[a] = b;

@@ -21,7 +21,7 @@ typedef struct mt_sorted_lookup {
 } mt_sorted_lookup;
 
 typedef struct mt_forms {
-    mt_match *match;
+    mt_glyph_match *match;
     const mt_gsub *a, *b;
     mt_sorted_lookup *sorted; /* for each lookup of B's */
     mt_groups groups;
@@ -82,14 +82,14 @@ static bool alike(int type_a, const mt_substitution *a, int type_b, const mt_sub
     return type_a == type_b && a->outputs == b->outputs;
 }
 
-static bool has_free(const mt_match *match, const mt_substitution *a) {
+static bool has_free(const mt_glyph_match *match, const mt_substitution *a) {
     for (int i = 0; i < a->outputs; i++)
         if (match->partner[a->glyphs[a->inputs + i]] == MT_NO_PARTNER) return true;
     return false;
 }
 
 /* The partners of the inputs; false when one has none. */
-static bool translate(const mt_match *match, const mt_substitution *a, uint16_t *inputs) {
+static bool translate(const mt_glyph_match *match, const mt_substitution *a, uint16_t *inputs) {
     for (int i = 0; i < a->inputs; i++) {
         uint32_t partner = match->partner[a->glyphs[i]];
         if (partner == MT_NO_PARTNER) return false;
@@ -99,7 +99,7 @@ static bool translate(const mt_match *match, const mt_substitution *a, uint16_t 
 }
 
 /* Output by output; with `free_only`, with glyphs of B's that are no partners yet. */
-static bool pair_outputs(mt_match *match, const mt_substitution *a, const mt_substitution *b,
+static bool pair_outputs(mt_glyph_match *match, const mt_substitution *a, const mt_substitution *b,
                          bool free_only) {
     bool paired = false;
     for (int i = 0; i < a->outputs && i < b->outputs; i++) {
@@ -160,7 +160,7 @@ static void pair_groups(mt_forms *forms) {
     }
 }
 
-mt_status mt_match_forms(mt_match *match, const mt_gsub *a, const mt_gsub *b, mt_arena *arena) {
+mt_status mt_match_forms(mt_glyph_match *match, const mt_gsub *a, const mt_gsub *b, mt_arena *arena) {
     int lookups = b->layout.lookup_count;
     if (!lookups || !a->layout.lookup_count) return MT_OK;
     mt_forms forms = {.match = match, .a = a, .b = b, .left = MT_COMPARISONS_MAX};

@@ -1,6 +1,6 @@
 /* What the features of two fonts apply, side by side. */
-#ifndef MT_MATCH_GROUPS_H
-#define MT_MATCH_GROUPS_H
+#ifndef MT_GLYPHSET_MATCH_GROUPS_H
+#define MT_GLYPHSET_MATCH_GROUPS_H
 
 #include "base/memory.h"
 #include "gsub/gsub.h"

@@ -18,7 +18,7 @@ static int by_name(const void *p, const void *q) {
 }
 
 /* The names of B's free glyphs, in order; gives how many. */
-static int list_free(const mt_match *match, const char *const *names, mt_named *list) {
+static int list_free(const mt_glyph_match *match, const char *const *names, mt_named *list) {
     int count = 0;
     for (int i = 0; i < match->count_b; i++)
         if (names[i] && !match->taken[i]) list[count++] = (mt_named){names[i], (uint32_t)i};
@@ -38,7 +38,7 @@ static const mt_named *find(const mt_named *list, int count, const char *name) {
     return low < count && strcmp(list[low].name, name) == 0 ? &list[low] : NULL;
 }
 
-mt_status mt_match_names(mt_match *match, mt_font *a, mt_font *b, mt_arena *arena) {
+mt_status mt_match_names(mt_glyph_match *match, mt_font *a, mt_font *b, mt_arena *arena) {
     const char **names_a, **names_b;
     mt_status status = mt_font_glyph_names(a, arena, &names_a);
     if (status == MT_OK) status = mt_font_glyph_names(b, arena, &names_b);

@@ -3,7 +3,7 @@
 #include "geometry/limits.h"
 
 typedef struct mt_reach {
-    const mt_match *match;
+    const mt_glyph_match *match;
     bool all; /* of A's glyphs; otherwise those with a partner */
     bool *kept;
 } mt_reach;
@@ -30,7 +30,8 @@ static bool follow_lookup(const mt_reach *reach, const mt_gsub_lookup *lookup, i
     return found;
 }
 
-mt_status mt_match_reach(const mt_match *match, const mt_gsub *gsub, bool all, mt_arena *arena, bool *kept) {
+mt_status mt_match_reach(const mt_glyph_match *match, const mt_gsub *gsub, bool all, mt_arena *arena,
+                         bool *kept) {
     const mt_reach reach = {match, all, kept};
     int64_t left = MT_COMPARISONS_MAX;
     bool *applied = mt_arena_new(arena, (size_t)gsub->layout.lookup_count + 1, sizeof *applied);

@@ -3,8 +3,8 @@
  *
  * A static font is written for one place. A varying one is written for all fonts, in their order: the first gives its
  * default values, and the others what a variation store adds to them. */
-#ifndef MT_PLACES_H
-#define MT_PLACES_H
+#ifndef MT_GLYPHSET_PLACES_H
+#define MT_GLYPHSET_PLACES_H
 
 #include "glyphset/charset.h"
 #include "sfnt/var_store.h"

@@ -34,7 +34,7 @@ static int by_content(const void *p, const void *q) {
     return order ? order : (x->system > y->system) - (x->system < y->system);
 }
 
-static int list_entries(const mt_made_lookups *lookups, mt_feature_entry *entries) {
+static int list_entries(const mt_lookup_builders *lookups, mt_feature_entry *entries) {
     int count = 0;
     for (int i = 0; i < lookups->count; i++)
         for (int k = 0; k < lookups->lookups[i].member_count; k++) {
@@ -61,7 +61,7 @@ static int gather(const mt_feature_entry *entries, int entry_count, mt_gpos_feat
     return count;
 }
 
-mt_status mt_gpos_features(const mt_made_lookups *lookups, mt_arena *arena, mt_gpos_feature **features,
+mt_status mt_gpos_features(const mt_lookup_builders *lookups, mt_arena *arena, mt_gpos_feature **features,
                            int *count) {
     int all = list_entries(lookups, NULL);
     mt_feature_entry *entries = mt_arena_new(arena, (size_t)all, sizeof *entries);

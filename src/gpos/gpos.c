@@ -4,11 +4,11 @@
 
 enum { LOOKUP_HEADER = 6, EXTENSION_SIZE = 8 };
 
-static size_t lookup_size(const mt_made_lookup *lookup) {
+static size_t lookup_size(const mt_lookup_builder *lookup) {
     return LOOKUP_HEADER + 2 * (size_t)lookup->subtable_count + (lookup->mark_set >= 0 ? 2 : 0);
 }
 
-static size_t subtables_size(const mt_made_lookup *lookup) {
+static size_t subtables_size(const mt_lookup_builder *lookup) {
     size_t size = 0;
     for (int i = 0; i < lookup->subtable_count; i++) size += lookup->subtables[i].length;
     return size;
@@ -16,7 +16,7 @@ static size_t subtables_size(const mt_made_lookup *lookup) {
 
 /* The header, with the offsets of its subtables (or of their extension records) from `start` on; returns where the next
  * begins. */
-static size_t write_lookup(const mt_made_lookup *lookup, bool extended, size_t start, mt_table *table) {
+static size_t write_lookup(const mt_lookup_builder *lookup, bool extended, size_t start, mt_table *table) {
     size_t at = table->length;
     mt_table_16(table, extended ? MT_EXTENSION_GPOS : lookup->type);
     int flag = lookup->flag & ~MT_LOOKUP_MARK_SET;
@@ -31,7 +31,7 @@ static size_t write_lookup(const mt_made_lookup *lookup, bool extended, size_t s
 }
 
 /* Extension records for all subtables, which follow them in the same order. */
-static void write_extensions(const mt_made_lookups *lookups, int subtable_count, mt_table *table) {
+static void write_extensions(const mt_lookup_builders *lookups, int subtable_count, mt_table *table) {
     size_t at = table->length, subtable = at + EXTENSION_SIZE * (size_t)subtable_count;
     for (int i = 0; i < lookups->count; i++)
         for (int k = 0; k < lookups->lookups[i].subtable_count; k++) {
@@ -43,7 +43,7 @@ static void write_extensions(const mt_made_lookups *lookups, int subtable_count,
         }
 }
 
-mt_status mt_gpos_lookup_list(const mt_made_lookups *lookups, mt_table *table) {
+mt_status mt_gpos_lookup_list(const mt_lookup_builders *lookups, mt_table *table) {
     size_t at = 2 + 2 * (size_t)lookups->count, heads = at, subtables = 0;
     int subtable_count = 0;
     for (int i = 0; i < lookups->count; i++) {
@@ -73,11 +73,11 @@ mt_status mt_gpos_lookup_list(const mt_made_lookups *lookups, mt_table *table) {
 /* ---- the table ----------------------------------------------------------------------------------------- */
 
 /* The lookups that are written, in the order in which they are applied. */
-static mt_status order_lookups(const mt_made_lookups *made, mt_arena *scratch, mt_made_lookups *kept) {
+static mt_status order_lookups(const mt_lookup_builders *made, mt_arena *scratch, mt_lookup_builders *kept) {
     for (int i = 0; i < made->count; i++) {
-        const mt_made_lookup *lookup = &made->lookups[i];
+        const mt_lookup_builder *lookup = &made->lookups[i];
         if (!lookup->member_count || !lookup->subtable_count) continue;
-        mt_status status = mt_made_add(kept, lookup, scratch);
+        mt_status status = mt_lookup_builders_add(kept, lookup, scratch);
         if (status != MT_OK) return status;
         int at = kept->count - 1;
         for (; at > 0 && kept->lookups[at - 1].order > lookup->order; at--)
@@ -87,7 +87,7 @@ static mt_status order_lookups(const mt_made_lookups *made, mt_arena *scratch, m
     return MT_OK;
 }
 
-static mt_status assemble(const mt_systems *systems, const mt_made_lookups *kept, mt_arena *scratch,
+static mt_status assemble(const mt_systems *systems, const mt_lookup_builders *kept, mt_arena *scratch,
                           mt_table lists[3]) {
     mt_gpos_feature *features;
     int count;
@@ -114,10 +114,10 @@ static mt_status join(const mt_table lists[3], mt_arena *arena, mt_bytes *gpos) 
     return mt_table_keep(&table, arena, gpos);
 }
 
-mt_status mt_gpos_write(const mt_systems *systems, const mt_made_lookups *made, mt_arena *arena,
+mt_status mt_gpos_write(const mt_systems *systems, const mt_lookup_builders *made, mt_arena *arena,
                         mt_bytes *gpos) {
     mt_arena scratch = {0};
-    mt_made_lookups kept = {0};
+    mt_lookup_builders kept = {0};
     mt_table lists[3] = {0};
     mt_bytes written = {0};
     mt_status status = order_lookups(made, &scratch, &kept);

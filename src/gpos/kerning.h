@@ -1,6 +1,6 @@
 /* The blend's horizontal kerning as classes and pairs, as a UFO has it (groups.plist, kerning.plist). */
-#ifndef MT_KERNING_H
-#define MT_KERNING_H
+#ifndef MT_GPOS_KERNING_H
+#define MT_GPOS_KERNING_H
 
 #include "gpos/positions.h"
 

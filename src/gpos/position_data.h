@@ -1,6 +1,6 @@
 /* What mt_positions holds; shared by the files that prepare, write and tell of positions. */
-#ifndef MT_POSITION_DATA_H
-#define MT_POSITION_DATA_H
+#ifndef MT_GPOS_POSITION_DATA_H
+#define MT_GPOS_POSITION_DATA_H
 
 #include "anchors/anchor.h"
 #include "gpos/positions.h"
@@ -11,13 +11,13 @@
 /* Pair adjustment that is to be lookups: mostly one. Where the fonts' classes together would be too many, or more than they save, each font's own
  * is one, and what they give adds up. */
 typedef struct mt_pair_position {
-    mt_made_lookup head; /* without subtables */
+    mt_lookup_builder head; /* without subtables */
     int count;
     mt_pairs *pairs;
 } mt_pair_position;
 
 typedef struct mt_single_position {
-    mt_made_lookup head;
+    mt_lookup_builder head;
     mt_singles singles;
 } mt_single_position;
 

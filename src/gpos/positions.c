@@ -12,7 +12,7 @@ typedef struct mt_position_source {
     mt_font *font;
     mt_bytes kern;
     mt_layout layout;
-    mt_variations variations;
+    mt_gdef_deltas variations;
     double scale; /* units of the new font in one of this font's */
 } mt_position_source;
 
@@ -25,7 +25,7 @@ static mt_status open_source(mt_font *font, int units, mt_arena *arena, mt_posit
     if (status == MT_OK) status = mt_font_table(font, MT_TAG('G', 'D', 'E', 'F'), arena, &gdef);
     if (status == MT_OK) status = mt_font_table(font, MT_TAG('k', 'e', 'r', 'n'), arena, &source->kern);
     if (status == MT_OK) status = mt_layout_open(gpos, MT_EXTENSION_GPOS, arena, &source->layout);
-    if (status == MT_OK) status = mt_variations_open(gdef, place, axes, arena, &source->variations);
+    if (status == MT_OK) status = mt_gdef_deltas_open(gdef, place, axes, arena, &source->variations);
     return status;
 }
 
@@ -219,10 +219,10 @@ mt_status mt_positions_prepare(mt_font *const *fonts, const mt_charset *charsets
 /* ---- writing ------------------------------------------------------------------------------------------- */
 
 static mt_status write_pairs(const mt_pair_position *position, const mt_places *places, mt_arena *scratch,
-                             mt_made_lookups *made) {
+                             mt_lookup_builders *made) {
     mt_status status = MT_OK;
     for (int i = 0; i < position->count && status == MT_OK; i++) {
-        mt_made_lookup lookup = position->head;
+        mt_lookup_builder lookup = position->head;
         mt_mixed_pairs mixed;
         mt_bytes *subtables;
         status = mt_pairs_mix(&position->pairs[i], places, scratch, &mixed);
@@ -230,25 +230,25 @@ static mt_status write_pairs(const mt_pair_position *position, const mt_places *
             status = mt_pairs_write(&mixed, places->store, scratch, &subtables, &lookup.subtable_count);
         if (status != MT_OK) return status;
         lookup.subtables = subtables;
-        status = mt_made_add(made, &lookup, scratch);
+        status = mt_lookup_builders_add(made, &lookup, scratch);
     }
     return status;
 }
 
 static mt_status write_singles(const mt_single_position *position, const mt_places *places, mt_arena *scratch,
-                               mt_made_lookups *made) {
-    mt_made_lookup lookup = position->head;
+                               mt_lookup_builders *made) {
+    mt_lookup_builder lookup = position->head;
     mt_bytes *subtables;
     mt_status status =
         mt_singles_write(&position->singles, places, scratch, &subtables, &lookup.subtable_count);
     lookup.subtables = subtables;
-    return status == MT_OK ? mt_made_add(made, &lookup, scratch) : status;
+    return status == MT_OK ? mt_lookup_builders_add(made, &lookup, scratch) : status;
 }
 
 static mt_status write_at(const mt_positions *positions, const mt_places *places, mt_arena *arena,
                           mt_bytes *gpos) {
     mt_arena scratch = {0};
-    mt_made_lookups made = {0};
+    mt_lookup_builders made = {0};
     mt_status status = MT_OK;
     for (int i = 0; i < positions->pair_count && status == MT_OK; i++)
         status = write_pairs(&positions->pairs[i], places, &scratch, &made);

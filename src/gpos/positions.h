@@ -3,8 +3,8 @@
  * Everything is read once into a structure that holds all fonts' values, in the new font's units; it is mixed and
  * rounded when a font is written. A static font is written for one place on the way through the fonts; a varying one has
  * the fonts as stops along its axis (font/var_store.h), the first of them being the default. */
-#ifndef MT_POSITIONS_H
-#define MT_POSITIONS_H
+#ifndef MT_GPOS_POSITIONS_H
+#define MT_GPOS_POSITIONS_H
 
 #include "glyphset/charset.h"
 #include "layout/lookup_builder.h"

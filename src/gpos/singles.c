@@ -8,7 +8,7 @@
 
 enum { STEPS_MAX = 1 << 25 }; /* glyphs looked up in subtables */
 
-static bool subtable_value(mt_bytes subtable, const mt_variations *variations, uint32_t glyph,
+static bool subtable_value(mt_bytes subtable, const mt_gdef_deltas *variations, uint32_t glyph,
                            double values[MT_VALUE_PARTS]) {
     int index = mt_coverage_find(mt_ot_follow(subtable, 2), glyph);
     unsigned form = mt_ot_u16(subtable, 0), format = mt_ot_u16(subtable, 4);

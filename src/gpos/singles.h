@@ -2,8 +2,8 @@
  *
  * Where another font has the feature too, a glyph's value there is its own (0 where it leaves the glyph as it is); where
  * it has not, or has no such glyph, it is the first font's, scaled to the new units. */
-#ifndef MT_SINGLES_H
-#define MT_SINGLES_H
+#ifndef MT_GPOS_SINGLES_H
+#define MT_GPOS_SINGLES_H
 
 #include "glyphset/places.h"
 #include "layout/layout.h"
@@ -13,7 +13,7 @@
 /* The single adjustment of one font in some lookups. */
 typedef struct mt_single_source {
     const mt_layout *layout;
-    const mt_variations *variations;
+    const mt_gdef_deltas *variations;
     double scale;
     int count;
     const int *lookups;

@@ -1,7 +1,7 @@
 /* A font's substitutions (OpenType spec, "GSUB"), as a list that can be matched with another font's and written again.
  */
-#ifndef MT_GSUB_H
-#define MT_GSUB_H
+#ifndef MT_GSUB_GSUB_H
+#define MT_GSUB_GSUB_H
 
 #include "layout/layout.h"
 #include "sfnt/table.h"

@@ -6,11 +6,11 @@
 #include "geometry/limits.h"
 
 /* One hint, until hints[] has it. */
-typedef struct mt_entry {
+typedef struct mt_index_entry {
     uint32_t a, b;
     int line;
     mt_hint hint;
-} mt_entry;
+} mt_index_entry;
 
 /* A pair of glyphs that has hints: hints[first] … hints[first + count - 1]. */
 typedef struct mt_hinted {
@@ -32,7 +32,7 @@ static int64_t to_grid(int32_t value, int units) {
     return over / under - (over % under < 0);
 }
 
-static bool scale(mt_place place, const mt_font *font, mt_point *point) {
+static bool scale(mt_hint_place place, const mt_font *font, mt_point *point) {
     int64_t x = to_grid(place.x, mt_font_units(font)), y = to_grid(place.y, mt_font_units(font));
     if (x < -MT_COORD_MAX || x > MT_COORD_MAX || y < -MT_COORD_MAX || y > MT_COORD_MAX) return false;
     *point = (mt_point){(int32_t)x, (int32_t)y};
@@ -47,12 +47,12 @@ static mt_status bad(int line, const char *reason, mt_hint_error *error) {
 }
 
 /* Fills entries[] with the hints for characters that both fonts have. */
-static mt_status gather(const mt_hint_table *table, const mt_font *a, const mt_font *b, mt_entry *entries,
-                        int *count, mt_hint_error *error) {
+static mt_status gather(const mt_hint_table *table, const mt_font *a, const mt_font *b,
+                        mt_index_entry *entries, int *count, mt_hint_error *error) {
     *count = 0;
     for (int i = 0; i < table->count; i++) {
         const mt_hint_line *line = &table->lines[i];
-        mt_entry entry = {.line = line->line, .hint.kind = line->kind};
+        mt_index_entry entry = {.line = line->line, .hint.kind = line->kind};
         entry.a = mt_font_glyph(a, line->code_point);
         entry.b = mt_font_glyph(b, line->code_point);
         if (entry.a == 0 || entry.b == 0) continue;
@@ -64,17 +64,17 @@ static mt_status gather(const mt_hint_table *table, const mt_font *a, const mt_f
 }
 
 static int by_glyphs(const void *a, const void *b) {
-    const mt_entry *x = a, *y = b;
+    const mt_index_entry *x = a, *y = b;
     if (x->a != y->a) return x->a < y->a ? -1 : 1;
     if (x->b != y->b) return x->b < y->b ? -1 : 1;
     return (x->line > y->line) - (x->line < y->line);
 }
 
 /* Lays sorted entries out by pairs. */
-static mt_status group(const mt_entry *entries, int count, mt_hint_index *index, mt_hint_error *error) {
+static mt_status group(const mt_index_entry *entries, int count, mt_hint_index *index, mt_hint_error *error) {
     mt_hinted *pair = NULL;
     for (int i = 0; i < count; i++) {
-        const mt_entry *entry = &entries[i];
+        const mt_index_entry *entry = &entries[i];
         if (!pair || pair->a != entry->a || pair->b != entry->b) {
             pair = &index->pairs[index->count++];
             *pair = (mt_hinted){.a = entry->a, .b = entry->b, .first = i};
@@ -86,7 +86,7 @@ static mt_status group(const mt_entry *entries, int count, mt_hint_index *index,
     return MT_OK;
 }
 
-static mt_status fill(const mt_hint_table *table, const mt_font *a, const mt_font *b, mt_entry *entries,
+static mt_status fill(const mt_hint_table *table, const mt_font *a, const mt_font *b, mt_index_entry *entries,
                       mt_hint_index *index, mt_hint_error *error) {
     int count;
     mt_status status = gather(table, a, b, entries, &count, error);
@@ -99,7 +99,7 @@ mt_status mt_hint_index_new(const mt_hint_table *table, const mt_font *a, const 
                             mt_hint_index **index, mt_hint_error *error) {
     size_t count = (size_t)table->count;
     mt_hint_index *made = mt_new(1, sizeof *made);
-    mt_entry *entries = mt_new(count, sizeof *entries);
+    mt_index_entry *entries = mt_new(count, sizeof *entries);
     if (made) made->pairs = mt_new(count, sizeof *made->pairs);
     if (made) made->hints = mt_new(count, sizeof *made->hints);
     bool had = made && entries && made->pairs && made->hints;

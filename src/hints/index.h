@@ -1,7 +1,7 @@
 /* Hints as the morph takes them: those of a table for each pair of glyphs of two fonts, on the grid. Characters
  * that lead to the same two glyphs have their hints in common, as they share the blend of these glyphs. */
-#ifndef MT_HINT_INDEX_H
-#define MT_HINT_INDEX_H
+#ifndef MT_HINTS_INDEX_H
+#define MT_HINTS_INDEX_H
 
 #include "hints/table.h"
 #include "source/font.h"

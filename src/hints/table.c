@@ -11,15 +11,15 @@
 
 enum { WORDS = 3 }; /* that a line has at most */
 
-typedef struct mt_reader {
+typedef struct mt_hint_reader {
     mt_hint_table *table;
     bool has_glyph;
     uint32_t code_point; /* of the glyph that the hints are for */
     int line;
     const char *reason; /* what is wrong with the line, on MT_BAD_HINTS */
-} mt_reader;
+} mt_hint_reader;
 
-static mt_status bad(mt_reader *reader, const char *reason) {
+static mt_status bad(mt_hint_reader *reader, const char *reason) {
     reader->reason = reason;
     return MT_BAD_HINTS;
 }
@@ -77,7 +77,7 @@ static bool read_character(const char *word, uint32_t *code_point) {
 }
 
 /* X,Y and nothing else. */
-static bool read_place(const char *word, mt_place *place) {
+static bool read_place(const char *word, mt_hint_place *place) {
     if (!mt_decimal_next(&word, &place->x) || *word++ != ',') return false;
     return mt_decimal_next(&word, &place->y) && *word == '\0';
 }
@@ -96,14 +96,14 @@ static mt_status add(mt_hint_table *table, mt_hint_line line) {
     return MT_OK;
 }
 
-static mt_status read_glyph(mt_reader *reader, const char *const *words, int count) {
+static mt_status read_glyph(mt_hint_reader *reader, const char *const *words, int count) {
     if (count != 2 || !read_character(words[1], &reader->code_point))
         return bad(reader, "after glyph one character is wanted, itself or as U+0061");
     reader->has_glyph = true;
     return MT_OK;
 }
 
-static mt_status read_hint(mt_reader *reader, mt_hint_kind kind, const char *const *words, int count) {
+static mt_status read_hint(mt_hint_reader *reader, mt_hint_kind kind, const char *const *words, int count) {
     mt_hint_line hint = {.code_point = reader->code_point, .line = reader->line, .kind = kind};
     if (!reader->has_glyph) return bad(reader, "a hint before the first glyph");
     if (count != 3) return bad(reader, "a hint has two places, written 120,300 140,310");
@@ -113,7 +113,7 @@ static mt_status read_hint(mt_reader *reader, mt_hint_kind kind, const char *con
     return add(reader->table, hint);
 }
 
-static mt_status read_line(mt_reader *reader, char *line) {
+static mt_status read_line(mt_hint_reader *reader, char *line) {
     const char *words[WORDS];
     if (!is_utf8(line)) return bad(reader, "not UTF-8 text");
     int count = split(line, words);
@@ -125,7 +125,7 @@ static mt_status read_line(mt_reader *reader, char *line) {
 }
 
 /* `text` ends with a NUL at `end` and is cut into lines in place. */
-static mt_status read_lines(mt_reader *reader, char *text, const char *end) {
+static mt_status read_lines(mt_hint_reader *reader, char *text, const char *end) {
     mt_status status = MT_OK;
     if (strncmp(text, "\xef\xbb\xbf", 3) == 0) text += 3; /* a byte order mark */
     for (char *next; status == MT_OK && text < end; text = next) {
@@ -149,7 +149,7 @@ static int by_character(const void *a, const void *b) {
 
 /* Reads `text`, which ends with a NUL at `length`, and cuts it up. */
 static mt_status read_table(char *text, size_t length, mt_hint_table **table, mt_hint_error *error) {
-    mt_reader reader = {.table = mt_new(1, sizeof(mt_hint_table))};
+    mt_hint_reader reader = {.table = mt_new(1, sizeof(mt_hint_table))};
     if (!reader.table) return MT_NO_MEMORY;
     mt_status status = read_lines(&reader, text, text + length);
     if (status != MT_OK) {

@@ -6,22 +6,22 @@
  *     point 100,700 90,680           a place on A's boundary, and the one on B's that goes with it
  *
  * Hints belong to the character before them. One that stands there again gets more of them. */
-#ifndef MT_HINT_TABLE_H
-#define MT_HINT_TABLE_H
+#ifndef MT_HINTS_TABLE_H
+#define MT_HINTS_TABLE_H
 
 #include "morph/model/hints.h"
 #include "morphotype.h"
 
 /* Font units, 16.16. */
-typedef struct mt_place {
+typedef struct mt_hint_place {
     int32_t x, y;
-} mt_place;
+} mt_hint_place;
 
 typedef struct mt_hint_line {
     uint32_t code_point;
     int line; /* of the file; no two hints share one */
     mt_hint_kind kind;
-    mt_place a, b;
+    mt_hint_place a, b;
 } mt_hint_line;
 
 struct mt_hint_table {

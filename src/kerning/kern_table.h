@@ -1,6 +1,6 @@
 /* The old 'kern' table (OpenType spec, "kern", and Apple's): subtables of formats 0 and 2. */
-#ifndef MT_KERN_TABLE_H
-#define MT_KERN_TABLE_H
+#ifndef MT_KERNING_KERN_TABLE_H
+#define MT_KERNING_KERN_TABLE_H
 
 #include "kerning/source.h"
 

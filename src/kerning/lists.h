@@ -1,6 +1,6 @@
 /* The pairs that any font gives one by one. */
-#ifndef MT_PAIR_LISTS_H
-#define MT_PAIR_LISTS_H
+#ifndef MT_KERNING_LISTS_H
+#define MT_KERNING_LISTS_H
 
 #include "kerning/sides.h"
 

@@ -1,6 +1,6 @@
 /* Pair adjustment at some places: values mixed and rounded, glyphs that kern alike at all of them brought together. */
-#ifndef MT_PAIR_MIX_H
-#define MT_PAIR_MIX_H
+#ifndef MT_KERNING_MIX_H
+#define MT_KERNING_MIX_H
 
 #include "kerning/pairs.h"
 #include "layout/value_write.h"

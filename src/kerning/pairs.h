@@ -2,8 +2,8 @@
  *
  * On each side, a class of new glyphs is a class of each font's glyphs: those that the font's matrices do not tell
  * apart. Pairs that any font gives one by one, and that differ from the classes' value, are listed. */
-#ifndef MT_PAIRS_H
-#define MT_PAIRS_H
+#ifndef MT_KERNING_PAIRS_H
+#define MT_KERNING_PAIRS_H
 
 #include "glyphset/places.h"
 #include "kerning/source.h"

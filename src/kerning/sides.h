@@ -1,6 +1,6 @@
 /* The glyphs of one font sorted into the classes that its pair adjustment tells apart. */
-#ifndef MT_PAIR_SIDES_H
-#define MT_PAIR_SIDES_H
+#ifndef MT_KERNING_SIDES_H
+#define MT_KERNING_SIDES_H
 
 #include "kerning/pairs.h"
 #include "sfnt/intern.h"

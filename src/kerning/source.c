@@ -31,7 +31,7 @@ static int count_subtables(const mt_layout *layout, const int *lookups, int coun
 }
 
 mt_status mt_pair_source_gpos(const mt_layout *layout, const int *lookups, int count,
-                              const mt_variations *variations, double scale, mt_arena *arena,
+                              const mt_gdef_deltas *variations, double scale, mt_arena *arena,
                               mt_pair_source *source) {
     mt_pair_source made = {.variations = variations, .scale = scale};
     int room = count_subtables(layout, lookups, count);

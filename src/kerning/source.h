@@ -3,8 +3,8 @@
  * A subtable is a list of pairs, or a matrix of classes. What it has for a left glyph is a row, for a right glyph of a
  * matrix a column: numbers without further meaning, the same for glyphs that it does not tell apart, and -1 where it has
  * nothing. */
-#ifndef MT_PAIR_SOURCE_H
-#define MT_PAIR_SOURCE_H
+#ifndef MT_KERNING_SOURCE_H
+#define MT_KERNING_SOURCE_H
 
 #include "layout/layout.h"
 #include "layout/value.h"
@@ -31,7 +31,7 @@ typedef struct mt_pair_subtable {
 enum { MT_PAIR_SUBTABLES_MAX = 1024 }; /* of one font; more are left out */
 
 typedef struct mt_pair_source {
-    const mt_variations *variations;
+    const mt_gdef_deltas *variations;
     double scale;   /* what values are multiplied by */
     unsigned parts; /* that any value has, a bit each */
     int count;
@@ -40,7 +40,7 @@ typedef struct mt_pair_source {
 
 /* The pair adjustment of these lookups of GPOS, in their order. MT_NO_MEMORY. */
 mt_status mt_pair_source_gpos(const mt_layout *layout, const int *lookups, int count,
-                              const mt_variations *variations, double scale, mt_arena *arena,
+                              const mt_gdef_deltas *variations, double scale, mt_arena *arena,
                               mt_pair_source *source);
 /* That of a 'kern' table: formats 0 and 2, horizontal, neither of minima nor across the line. MT_NO_MEMORY. */
 mt_status mt_pair_source_kern(mt_bytes kern, double scale, mt_arena *arena, mt_pair_source *source);

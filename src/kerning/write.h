@@ -1,6 +1,6 @@
 /* Pair adjustment, static or varying, as subtables of a lookup. */
-#ifndef MT_PAIR_WRITE_H
-#define MT_PAIR_WRITE_H
+#ifndef MT_KERNING_WRITE_H
+#define MT_KERNING_WRITE_H
 
 #include "kerning/mix.h"
 #include "layout/lookup_builder.h"

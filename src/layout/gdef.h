@@ -1,6 +1,6 @@
 /* GDEF with a variation store (OpenType spec, "GDEF header", version 1.3). */
-#ifndef MT_GDEF_H
-#define MT_GDEF_H
+#ifndef MT_LAYOUT_GDEF_H
+#define MT_LAYOUT_GDEF_H
 
 #include "sfnt/var_store.h"
 #include "source/font.h"

@@ -20,9 +20,9 @@ static double region_scalar(mt_bytes list, int region, const int32_t *place, int
     return scalar;
 }
 
-mt_status mt_variations_open(mt_bytes gdef, const int32_t *place, int axis_count, mt_arena *arena,
-                             mt_variations *variations) {
-    mt_variations made = {0};
+mt_status mt_gdef_deltas_open(mt_bytes gdef, const int32_t *place, int axis_count, mt_arena *arena,
+                              mt_gdef_deltas *variations) {
+    mt_gdef_deltas made = {0};
     bool has_store = mt_ot_u16(gdef, 0) == 1 && mt_ot_u16(gdef, 2) >= 3;
     if (has_store && axis_count > 0) made.store = mt_ot_follow32(gdef, 14);
     if (mt_ot_u16(made.store, 0) == 1) {
@@ -41,7 +41,8 @@ mt_status mt_variations_open(mt_bytes gdef, const int32_t *place, int axis_count
 enum { LONG_WORDS = 0x8000 };
 
 /* A row of deltas: `words` of the first size, the others of the second; 8, 16 or 32 bits. */
-static double row_delta(const mt_variations *variations, mt_bytes data, size_t row, size_t words, bool wide) {
+static double row_delta(const mt_gdef_deltas *variations, mt_bytes data, size_t row, size_t words,
+                        bool wide) {
     double sum = 0;
     size_t regions = mt_ot_u16(data, 4), at = row;
     for (size_t i = 0; i < regions; i++) {
@@ -57,7 +58,7 @@ static double row_delta(const mt_variations *variations, mt_bytes data, size_t r
     return sum;
 }
 
-double mt_variations_delta(const mt_variations *variations, mt_bytes device) {
+double mt_gdef_delta(const mt_gdef_deltas *variations, mt_bytes device) {
     if (!variations->store.length || mt_ot_u16(device, 4) != 0x8000) return 0;
     unsigned outer = mt_ot_u16(device, 0), inner = mt_ot_u16(device, 2);
     if (outer >= mt_ot_u16(variations->store, 6)) return 0;

@@ -1,7 +1,7 @@
 /* GPOS and GSUB as they are walked (OpenType spec, "Layout tables": ScriptList, FeatureList, LookupList; versions 1.0
  * and 1.1; FeatureVariations are not read). */
-#ifndef MT_LAYOUT_H
-#define MT_LAYOUT_H
+#ifndef MT_LAYOUT_LAYOUT_H
+#define MT_LAYOUT_LAYOUT_H
 
 #include "base/memory.h"
 #include "layout/ot.h"

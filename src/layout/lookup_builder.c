@@ -104,10 +104,10 @@ mt_status mt_members_of(const mt_layout *layout, int lookup, mt_arena *arena, mt
     return MT_OK;
 }
 
-mt_status mt_made_add(mt_made_lookups *made, const mt_made_lookup *lookup, mt_arena *arena) {
+mt_status mt_lookup_builders_add(mt_lookup_builders *made, const mt_lookup_builder *lookup, mt_arena *arena) {
     if (made->count == made->room) {
         int room = made->room ? 2 * made->room : 16;
-        mt_made_lookup *grown = mt_arena_new(arena, (size_t)room, sizeof *grown);
+        mt_lookup_builder *grown = mt_arena_new(arena, (size_t)room, sizeof *grown);
         if (!grown) return MT_NO_MEMORY;
         if (made->count) memcpy(grown, made->lookups, (size_t)made->count * sizeof *grown);
         made->lookups = grown;

@@ -1,6 +1,6 @@
 /* GPOS in the making: Coverage and ClassDef tables, and lookups whose subtables are ready. */
-#ifndef MT_MADE_H
-#define MT_MADE_H
+#ifndef MT_LAYOUT_LOOKUP_BUILDER_H
+#define MT_LAYOUT_LOOKUP_BUILDER_H
 
 #include "layout/layout.h"
 #include "sfnt/table.h"
@@ -24,7 +24,7 @@ typedef struct mt_member {
     uint32_t feature;
 } mt_member;
 
-typedef struct mt_made_lookup {
+typedef struct mt_lookup_builder {
     int order; /* lookups are applied by ascending order, then as they were added: the index of A's lookup */
     int type, flag;
     int mark_set; /* -1: none */
@@ -32,18 +32,18 @@ typedef struct mt_made_lookup {
     const mt_member *members;
     int subtable_count;
     const mt_bytes *subtables; /* each under 64 KB or with 16-bit offsets of its own; not extensions */
-} mt_made_lookup;
+} mt_lookup_builder;
 
 /* Where a lookup of A's belongs, for systems that are A's own; a member may come twice. MT_NO_MEMORY. */
 mt_status mt_members_of(const mt_layout *layout, int lookup, mt_arena *arena, mt_member **members,
                         int *count);
 
 /* A list that grows in an arena; all zero is empty. */
-typedef struct mt_made_lookups {
+typedef struct mt_lookup_builders {
     int count, room;
-    mt_made_lookup *lookups;
-} mt_made_lookups;
-mt_status mt_made_add(mt_made_lookups *made, const mt_made_lookup *lookup,
-                      mt_arena *arena); /* MT_NO_MEMORY */
+    mt_lookup_builder *lookups;
+} mt_lookup_builders;
+mt_status mt_lookup_builders_add(mt_lookup_builders *made, const mt_lookup_builder *lookup,
+                                 mt_arena *arena); /* MT_NO_MEMORY */
 
 #endif

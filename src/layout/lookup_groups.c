@@ -110,7 +110,7 @@ static bool is_same(const mt_feature_job *job, const mt_feature_job *other, mt_m
 }
 
 static mt_status add_member(mt_feature_job *job, mt_member member, mt_arena *arena) {
-    mt_made_lookup *head = &job->head;
+    mt_lookup_builder *head = &job->head;
     int room = job->member_room ? 2 * job->member_room : 8;
     mt_member *members = (mt_member *)head->members;
     if (head->member_count == job->member_room) {

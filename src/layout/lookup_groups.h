@@ -1,6 +1,6 @@
 /* Which lookups of the fonts go together: those of the same feature, for the same script and language. */
-#ifndef MT_FEATURE_JOBS_H
-#define MT_FEATURE_JOBS_H
+#ifndef MT_LAYOUT_LOOKUP_GROUPS_H
+#define MT_LAYOUT_LOOKUP_GROUPS_H
 
 #include "layout/systems.h"
 
@@ -16,7 +16,7 @@ typedef struct mt_feature_part {
 /* A lookup of the new font that is to be made of one of the first font's (or several) and the others'. */
 typedef struct mt_feature_job {
     mt_feature_part parts[MT_STOPS_MAX];
-    mt_made_lookup head; /* without subtables; its members are of mt_systems */
+    mt_lookup_builder head; /* without subtables; its members are of mt_systems */
     int member_room;
 } mt_feature_job;
 

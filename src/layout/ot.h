@@ -2,8 +2,8 @@
  *
  * A table is the bytes from its start to the end of the file's table. What is read past the end is 0, and a table at
  * offset 0 or past the end is empty: so malformed data gives empty lists, and nothing has to be checked twice. */
-#ifndef MT_OT_H
-#define MT_OT_H
+#ifndef MT_LAYOUT_OT_H
+#define MT_LAYOUT_OT_H
 
 #include "source/font.h"
 

@@ -120,7 +120,7 @@ mt_status mt_systems_make(const mt_layout *const *layouts, int font_count, mt_ar
     return MT_OK;
 }
 
-mt_status mt_systems_spread(const mt_systems *systems, mt_arena *arena, mt_made_lookup *lookup) {
+mt_status mt_systems_spread(const mt_systems *systems, mt_arena *arena, mt_lookup_builder *lookup) {
     int count = lookup->member_count, all = 0, made = 0;
     for (int i = 0; i < count; i++)
         for (int s = 0; s < systems->count; s++) all += systems->list[s].own[0] == lookup->members[i].system;

@@ -1,6 +1,6 @@
 /* The language systems of the new font. */
-#ifndef MT_SYSTEMS_H
-#define MT_SYSTEMS_H
+#ifndef MT_LAYOUT_SYSTEMS_H
+#define MT_LAYOUT_SYSTEMS_H
 
 #include "layout/lookup_builder.h"
 #include "sfnt/var_store.h"
@@ -25,7 +25,7 @@ mt_status mt_systems_make(const mt_layout *const *layouts, int font_count, mt_ar
 
 /* A lookup that belongs to systems of the first font belongs to those of others for which these stand too.
  * MT_NO_MEMORY. */
-mt_status mt_systems_spread(const mt_systems *systems, mt_arena *arena, mt_made_lookup *lookup);
+mt_status mt_systems_spread(const mt_systems *systems, mt_arena *arena, mt_lookup_builder *lookup);
 
 /* The lookups of a type in a system's features of a tag, ascending, each once, `room` at most; returns how many. None
  * for system -1. */

@@ -8,7 +8,7 @@ size_t mt_value_size(unsigned format) {
     return size;
 }
 
-void mt_value_read(mt_bytes parent, size_t at, unsigned format, const mt_variations *variations,
+void mt_value_read(mt_bytes parent, size_t at, unsigned format, const mt_gdef_deltas *variations,
                    double values[MT_VALUE_PARTS]) {
     for (int i = 0; i < MT_VALUE_PARTS; i++) {
         values[i] = 0;
@@ -18,7 +18,7 @@ void mt_value_read(mt_bytes parent, size_t at, unsigned format, const mt_variati
     }
     for (int i = 0; i < MT_VALUE_PARTS; i++) {
         if (!(format >> (MT_VALUE_PARTS + i) & 1)) continue;
-        values[i] += mt_variations_delta(variations, mt_ot_follow(parent, at));
+        values[i] += mt_gdef_delta(variations, mt_ot_follow(parent, at));
         at += 2;
     }
 }

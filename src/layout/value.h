@@ -1,6 +1,6 @@
 /* Value records of GPOS (OpenType spec, "GPOS": Value record): how far a glyph is moved, and its advance changed. */
-#ifndef MT_VALUE_H
-#define MT_VALUE_H
+#ifndef MT_LAYOUT_VALUE_H
+#define MT_LAYOUT_VALUE_H
 
 #include "layout/gdef_deltas.h"
 
@@ -12,7 +12,7 @@ size_t mt_value_size(unsigned format);
 
 /* The record at `at`, with what the font's place on its axes adds; `parent` is what its device offsets count from.
  * What the format has not is 0. */
-void mt_value_read(mt_bytes parent, size_t at, unsigned format, const mt_variations *variations,
+void mt_value_read(mt_bytes parent, size_t at, unsigned format, const mt_gdef_deltas *variations,
                    double values[MT_VALUE_PARTS]);
 
 /* The parts that a format has, a bit each: from a plain value or from a device table. */

@@ -1,7 +1,7 @@
 /* Value records that are written, with VariationIndex tables for what varies (OpenType spec, "GPOS": Value record;
  * "Layout tables": Device and VariationIndex tables). */
-#ifndef MT_VALUE_WRITE_H
-#define MT_VALUE_WRITE_H
+#ifndef MT_LAYOUT_VALUE_WRITE_H
+#define MT_LAYOUT_VALUE_WRITE_H
 
 #include "layout/value.h"
 #include "sfnt/table.h"

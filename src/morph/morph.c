@@ -31,7 +31,7 @@ static mt_status match_components(mt_morph *morph, const mt_params *params, mt_a
     for (int i = 0; i < rows; i++)
         for (int j = 0; j < columns; j++)
             s[(size_t)i * (size_t)columns + (size_t)j] = mt_similarity(&in_a[i], &in_b[j], params->weights);
-    return mt_match(s, rows, columns, params->rounds, params->threshold, arena, &morph->matches);
+    return mt_match_components(s, rows, columns, params->rounds, params->threshold, arena, &morph->matches);
 }
 
 /* ---- 2.3 formula (5): B turned by -q ------------------------------------------------------------------- */
@@ -85,7 +85,7 @@ mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints 
     if (status == MT_OK && hints) status = turn_hints(hints, &made, mt_shape_box(b), arena, &turned);
     if (status != MT_OK) return status;
     bool joint = a->count > 0 && params->method == MT_METHOD_JOINT;
-    status = joint ? mt_join_soundly(&made, &turned, params, arena) : mt_map_pieces(&made, params, arena);
+    status = joint ? mt_join_best(&made, &turned, params, arena) : mt_map_pieces(&made, params, arena);
     if (status == MT_OK) *morph = made;
     return status;
 }
@@ -115,7 +115,7 @@ static mt_status mix_contours(const mt_morph *morph, mt_weights weights, int mor
     *outline = (mt_outline){morph->contour_count, mt_arena_new(arena, room, sizeof(mt_contour))};
     if (!outline->contours) return MT_NO_MEMORY;
     for (int i = 0; i < morph->contour_count; i++) {
-        mt_status status = mt_masters_mix(&morph->contours[i], weights, arena, &outline->contours[i]);
+        mt_status status = mt_contour_pair_mix(&morph->contours[i], weights, arena, &outline->contours[i]);
         if (status != MT_OK) return status;
     }
     return MT_OK;

@@ -11,30 +11,31 @@
 #include "morph/join/joint.h"
 #include "morph/paper/pieces.h"
 
-/* The manners that were tried. */
+/* The settings that were tried. */
 typedef struct mt_trials {
     int count;
     mt_morph *morphs; /* as they were joined */
 } mt_trials;
 
-/* ---- one manner ---------------------------------------------------------------------------------------------- */
+/* ---- one set of settings ---------------------------------------------------------------------------------------------- */
 
 /* What the joint method cannot take, the paper's own still can. */
-static mt_status join(const mt_morph *matched, const mt_terms *terms, mt_arena *arena, mt_morph *joined) {
+static mt_status join(const mt_morph *matched, const mt_join_context *context, mt_arena *arena,
+                      mt_morph *joined) {
     *joined = *matched;
-    mt_status status = mt_joint(joined, terms, arena);
+    mt_status status = mt_joint(joined, context, arena);
     if (status == MT_TOO_LARGE || status == MT_BAD_GEOMETRY) {
         *joined = *matched;
         status = MT_OK;
     }
-    return status == MT_OK ? mt_map_pieces(joined, terms->params, arena) : status;
+    return status == MT_OK ? mt_map_pieces(joined, context->params, arena) : status;
 }
 
 /* Parts that come apart are drawn together, those that touch made to stand aside, counters kept clear. */
 static mt_status mend(mt_mending *m) {
     mt_status status = mt_mend_begin(m);
-    if (status == MT_OK && m->by.parts > 0) status = mt_draw_together(m);
-    if (status == MT_OK && m->by.merged > 0) status = mt_stand_aside(m);
+    if (status == MT_OK && m->by.parts > 0) status = mt_reconnect_parts(m);
+    if (status == MT_OK && m->by.merged > 0) status = mt_separate_parts(m);
     if (status == MT_OK && m->by.opened > 0) status = mt_keep_counters(m);
     return status;
 }
@@ -62,30 +63,30 @@ static bool is_same(const mt_morph *p, const mt_morph *q) {
     return true;
 }
 
-/* Many manners lead to the same. */
+/* Many settings lead to the same. */
 static bool was_tried(const mt_trials *trials, const mt_morph *morph) {
     for (int i = 0; i < trials->count; i++)
         if (is_same(&trials->morphs[i], morph)) return true;
     return false;
 }
 
-/* Whether a manner keeps parts and holes better, and the ink no worse where that strays too. */
-static bool is_sounder(mt_straying tried, mt_straying best) {
+/* Whether one set of settings keeps parts and holes better, and the ink no worse where that strays too. */
+static bool is_sounder(mt_topology_error tried, mt_topology_error best) {
     return tried.parts < best.parts && (tried.ink <= MT_INK_EXCESS || tried.ink <= best.ink);
 }
 
-mt_status mt_join_soundly(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
+mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
     mt_morph best = *morph;
-    mt_straying least = {.parts = INT_MAX, .ink = INFINITY};
-    mt_trials trials = {0, mt_arena_new(arena, (size_t)mt_manner_count(), sizeof(mt_morph))};
-    mt_known *known = mt_arena_new(arena, 1, sizeof *known);
+    mt_topology_error least = {.parts = INT_MAX, .ink = INFINITY};
+    mt_trials trials = {0, mt_arena_new(arena, (size_t)mt_settings_count(), sizeof(mt_morph))};
+    mt_alignment_cache *known = mt_arena_new(arena, 1, sizeof *known);
     int64_t effort = MT_EFFORT;
     if (!known || !trials.morphs) return MT_NO_MEMORY;
-    for (int i = 0; i < mt_manner_count() && least.parts > 0 && effort > 0; i++) {
-        mt_terms terms = {hints, params, mt_manner_at(i, params)};
-        terms.manner.known = known;
+    for (int i = 0; i < mt_settings_count() && least.parts > 0 && effort > 0; i++) {
+        mt_join_context context = {hints, params, mt_settings_at(i, params)};
+        context.settings.known = known;
         mt_morph *tried = &trials.morphs[trials.count];
-        mt_status status = join(morph, &terms, arena, tried);
+        mt_status status = join(morph, &context, arena, tried);
         if (status != MT_OK) return status;
         if (was_tried(&trials, tried)) continue;
         trials.count++;

@@ -3,8 +3,8 @@
  *
  * A picture's unit is a pixel in PNG and a point in SVG and PDF; y runs downwards. The same drawing gives the
  * same bytes: a PDF's creation date is SOURCE_DATE_EPOCH when that is set, otherwise a fixed day. */
-#ifndef MT_CANVAS_H
-#define MT_CANVAS_H
+#ifndef MT_PICTURE_CANVAS_H
+#define MT_PICTURE_CANVAS_H
 
 #include "base/buffer.h"
 

@@ -1,7 +1,7 @@
 /* Labels: T values, code points, page numbers and font names, in a small plotter alphabet of their own, so
  * that a picture has them on a machine without any installed font, and is the same on every machine. */
-#ifndef MT_LABEL_H
-#define MT_LABEL_H
+#ifndef MT_PICTURE_LABEL_H
+#define MT_PICTURE_LABEL_H
 
 #include <cairo.h>
 #include <stddef.h>

@@ -1,8 +1,8 @@
 /* Strips, sheets and inspections: pictures to judge a blend by. Text is shaped by HarfBuzz with the blended
  * fonts themselves, and drawn by Cairo: what a strip shows is what the font gives. The output's format is
  * that of its extension: .png, .svg or .pdf. */
-#ifndef MT_RENDER_H
-#define MT_RENDER_H
+#ifndef MT_PICTURE_PICTURE_H
+#define MT_PICTURE_PICTURE_H
 
 #include "hints/index.h"
 #include "morphotype.h"
@@ -15,7 +15,7 @@
 
 /* Called once all fonts are made and before anything is drawn, unless it is NULL; what it returns other than
  * MT_OK ends the call, which then returns that. */
-typedef mt_status (*mt_made)(void *user);
+typedef mt_status (*mt_fonts_made)(void *user);
 
 typedef struct mt_strip {
     const char *text; /* UTF-8; '\n' starts a new line */
@@ -23,7 +23,7 @@ typedef struct mt_strip {
     int step_count;
     double size; /* pixels (or points, in SVG and PDF) an em */
     bool labels; /* T under each step */
-    mt_made made;
+    mt_fonts_made made;
     void *user;
 } mt_strip;
 
@@ -41,7 +41,7 @@ typedef struct mt_sheet {
     double size;                   /* of a cell, pixels or points */
     int rows_per_page;             /* 0: what fits a page of A4's proportions */
     const char *title_a, *title_b; /* names of the two fonts */
-    mt_made made;
+    mt_fonts_made made;
     void *user;
 } mt_sheet;
 

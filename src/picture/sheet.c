@@ -30,7 +30,7 @@
 
 typedef struct sheet_page {
     const mt_sheet *sheet;
-    mt_instance *instances;
+    mt_typeset *instances;
     int rows; /* on a full page */
     int pages;
     double label_height; /* picture units, as all that follows */
@@ -131,7 +131,7 @@ static mt_extents row_extents(const sheet_page *page, uint32_t code_point) {
     mt_extents row = {0};
     for (int i = 0; i < page->sheet->step_count; i++) {
         uint32_t glyph;
-        if (!mt_instance_glyph(&page->instances[i], code_point, &glyph)) continue;
+        if (!mt_typeset_glyph(&page->instances[i], code_point, &glyph)) continue;
         mt_extents one = mt_glyph_extents(&page->instances[i], glyph);
         row.left = fmin(row.left, one.left);
         row.right = fmax(row.right, fmax(one.right, one.advance));
@@ -148,7 +148,7 @@ static double row_em(double size, mt_extents row) {
 }
 
 /* Baselines are those of the font, unless ink would leave the cell. */
-static double row_baseline(const mt_instance *instance, double size, double em, mt_extents row) {
+static double row_baseline(const mt_typeset *instance, double size, double em, mt_extents row) {
     double baseline = size / 2 + (instance->ascent - instance->descent) / 2 * em;
     baseline = fmax(baseline, INSET * size + row.top * em);
     return fmin(baseline, (1 - INSET) * size + row.bottom * em);
@@ -164,7 +164,7 @@ static void draw_row(const sheet_page *page, cairo_t *cairo, uint32_t code_point
     left += page->heading;
     for (int i = 0; i < page->sheet->step_count; i++, left += size) {
         uint32_t glyph;
-        if (!mt_instance_glyph(&page->instances[i], code_point, &glyph)) continue;
+        if (!mt_typeset_glyph(&page->instances[i], code_point, &glyph)) continue;
         mt_extents one = mt_glyph_extents(&page->instances[i], glyph);
         double middle = (fmin(0, one.left) + fmax(one.right, one.advance)) / 2;
         mt_glyph_draw(&page->instances[i], glyph, cairo, left + size / 2 - middle * em, baseline, em);
@@ -259,12 +259,12 @@ static bool in_range(const mt_sheet *sheet) {
            sheet->rows_per_page >= 0 && sheet->size >= MT_SIZE_MIN && sheet->size <= MT_SIZE_MAX;
 }
 
-static mt_status make_instances(mt_blend *blend, const mt_sheet *sheet, mt_instance **instances) {
+static mt_status make_instances(mt_blend *blend, const mt_sheet *sheet, mt_typeset **instances) {
     uint32_t glyph;
     mt_status status = mt_blend_set_chars(blend, sheet->code_points, sheet->count);
-    if (status == MT_OK) status = mt_instances_new(blend, sheet->at, sheet->step_count, instances);
+    if (status == MT_OK) status = mt_typesets_new(blend, sheet->at, sheet->step_count, instances);
     for (int i = 0; status == MT_OK && i < sheet->count; i++)
-        if (!mt_instance_glyph(*instances, sheet->code_points[i], &glyph)) status = MT_NO_GLYPH;
+        if (!mt_typeset_glyph(*instances, sheet->code_points[i], &glyph)) status = MT_NO_GLYPH;
     if (status == MT_OK && sheet->made) status = sheet->made(sheet->user);
     return status;
 }
@@ -281,6 +281,6 @@ mt_status mt_sheet_save(mt_blend *blend, const mt_sheet *sheet, const char *path
         status = format == MT_FORMAT_PDF ? save_pages_in_one(&page, format, path)
                                          : save_pages_apart(&page, format, path);
     }
-    mt_instances_free(page.instances, sheet->step_count);
+    mt_typesets_free(page.instances, sheet->step_count);
     return status;
 }

@@ -25,7 +25,7 @@
 typedef struct strip_page {
     const mt_strip *strip;
     int line_count;
-    mt_instance *instances; /* one a step */
+    mt_typeset *instances;  /* one a step */
     mt_line *lines;         /* line_count a step */
     double ascent, descent; /* of every line at every step, em */
     double step_width;      /* picture units, as all that follows */
@@ -58,15 +58,15 @@ static mt_status code_points_of(const char *text, uint32_t **code_points, int *c
 }
 
 /* Makes the fonts, of the text's characters alone. */
-static mt_status make_instances(mt_blend *blend, const mt_strip *strip, mt_instance **instances) {
+static mt_status make_instances(mt_blend *blend, const mt_strip *strip, mt_typeset **instances) {
     uint32_t *code_points, glyph;
     int count;
     mt_status status = code_points_of(strip->text, &code_points, &count);
     if (status == MT_OK && count == 0) status = MT_BAD_PARAMETER;
     if (status == MT_OK) status = mt_blend_set_chars(blend, code_points, count);
-    if (status == MT_OK) status = mt_instances_new(blend, strip->at, strip->step_count, instances);
+    if (status == MT_OK) status = mt_typesets_new(blend, strip->at, strip->step_count, instances);
     for (int i = 0; status == MT_OK && i < count; i++)
-        if (!mt_instance_glyph(*instances, code_points[i], &glyph)) status = MT_NO_GLYPH;
+        if (!mt_typeset_glyph(*instances, code_points[i], &glyph)) status = MT_NO_GLYPH;
     if (status == MT_OK && strip->made) status = strip->made(strip->user);
     mt_free(code_points);
     return status;
@@ -208,6 +208,6 @@ mt_status mt_strip_save(mt_blend *blend, const mt_strip *strip, const char *path
     status = page.lines ? make_instances(blend, strip, &page.instances) : MT_NO_MEMORY;
     if (status == MT_OK) status = draw_page(&page, format, path);
     free_lines(&page);
-    mt_instances_free(page.instances, strip->step_count);
+    mt_typesets_free(page.instances, strip->step_count);
     return status;
 }

@@ -1,6 +1,6 @@
 /* Formula (5) turns B by -q before it is matched; this turns what is drawn of B back by q. */
-#ifndef MT_TURN_H
-#define MT_TURN_H
+#ifndef MT_PICTURE_TURN_H
+#define MT_PICTURE_TURN_H
 
 #include "blend/pair.h"
 

@@ -37,7 +37,7 @@ static hb_draw_funcs_t *make_draw_funcs(void) {
     return draw;
 }
 
-static void add_glyph(const mt_instance *instance, uint32_t glyph, cairo_t *cairo, double x, double y,
+static void add_glyph(const mt_typeset *instance, uint32_t glyph, cairo_t *cairo, double x, double y,
                       double size) {
     cairo_save(cairo);
     cairo_translate(cairo, x, y);
@@ -51,7 +51,7 @@ static void fill(cairo_t *cairo) {
     cairo_fill(cairo);
 }
 
-void mt_glyph_draw(const mt_instance *instance, uint32_t glyph, cairo_t *cairo, double x, double y,
+void mt_glyph_draw(const mt_typeset *instance, uint32_t glyph, cairo_t *cairo, double x, double y,
                    double size) {
     cairo_new_path(cairo);
     add_glyph(instance, glyph, cairo, x, y, size);
@@ -60,7 +60,7 @@ void mt_glyph_draw(const mt_instance *instance, uint32_t glyph, cairo_t *cairo, 
 
 /* ---- instances ----------------------------------------------------------------------------------------- */
 
-static void read_extents(mt_instance *instance) {
+static void read_extents(mt_typeset *instance) {
     hb_font_extents_t extents = {0};
     hb_font_get_h_extents(instance->font, &extents);
     instance->ascent = extents.ascender / instance->units;
@@ -68,7 +68,7 @@ static void read_extents(mt_instance *instance) {
 }
 
 /* HarfBuzz gives an empty object, not NULL, when it runs out of memory. */
-static mt_status open_bytes(mt_instance *instance, size_t length) {
+static mt_status open_bytes(mt_typeset *instance, size_t length) {
     if (length > UINT32_MAX) return MT_TOO_LARGE;
     hb_blob_t *blob =
         hb_blob_create((const char *)instance->bytes, (unsigned)length, HB_MEMORY_MODE_READONLY, NULL, NULL);
@@ -83,23 +83,23 @@ static mt_status open_bytes(mt_instance *instance, size_t length) {
     return made ? MT_OK : MT_NO_MEMORY;
 }
 
-static void close_instance(mt_instance *instance) {
+static void close_instance(mt_typeset *instance) {
     hb_font_destroy(instance->font);
     hb_draw_funcs_destroy(instance->draw);
     mt_bytes_free(instance->bytes);
 }
 
 /* Takes over the fonts' bytes, also when it fails. */
-static mt_status open_fonts(uint8_t **bytes, const size_t *lengths, int count, mt_instance *instances) {
+static mt_status open_fonts(uint8_t **bytes, const size_t *lengths, int count, mt_typeset *instances) {
     mt_status status = MT_OK;
-    for (int i = 0; i < count; i++) instances[i] = (mt_instance){.bytes = bytes[i]};
+    for (int i = 0; i < count; i++) instances[i] = (mt_typeset){.bytes = bytes[i]};
     for (int i = 0; i < count && status == MT_OK; i++) status = open_bytes(&instances[i], lengths[i]);
     for (int i = 0; i < count && status == MT_OK; i++) read_extents(&instances[i]);
     return status;
 }
 
-mt_status mt_instances_new(mt_blend *blend, const double *at, int count, mt_instance **instances) {
-    mt_instance *made = mt_new((size_t)count, sizeof *made);
+mt_status mt_typesets_new(mt_blend *blend, const double *at, int count, mt_typeset **instances) {
+    mt_typeset *made = mt_new((size_t)count, sizeof *made);
     uint8_t **bytes = mt_new((size_t)count, sizeof *bytes);
     size_t *lengths = mt_new((size_t)count, sizeof *lengths);
     mt_status status = made && bytes && lengths ? MT_OK : MT_NO_MEMORY;
@@ -110,16 +110,16 @@ mt_status mt_instances_new(mt_blend *blend, const double *at, int count, mt_inst
     if (status == MT_OK)
         *instances = made;
     else
-        mt_instances_free(made, count);
+        mt_typesets_free(made, count);
     return status;
 }
 
-void mt_instances_free(mt_instance *instances, int count) {
+void mt_typesets_free(mt_typeset *instances, int count) {
     for (int i = 0; instances && i < count; i++) close_instance(&instances[i]);
     mt_free(instances);
 }
 
-bool mt_instance_glyph(const mt_instance *instance, uint32_t code_point, uint32_t *glyph) {
+bool mt_typeset_glyph(const mt_typeset *instance, uint32_t code_point, uint32_t *glyph) {
     return hb_font_get_nominal_glyph(instance->font, code_point, glyph);
 }
 
@@ -132,7 +132,7 @@ static void widen(mt_extents *all, mt_extents one) {
     if (one.top > all->top) all->top = one.top;
 }
 
-mt_extents mt_glyph_extents(const mt_instance *instance, uint32_t glyph) {
+mt_extents mt_glyph_extents(const mt_typeset *instance, uint32_t glyph) {
     hb_glyph_extents_t ink = {0};
     double units = instance->units;
     hb_font_get_glyph_extents(instance->font, glyph, &ink); /* its height runs downwards: negative */
@@ -161,7 +161,7 @@ static placed place(const mt_line *line, unsigned index, double *pen) {
     return glyph;
 }
 
-static void measure(const mt_instance *instance, mt_line *line) {
+static void measure(const mt_typeset *instance, mt_line *line) {
     double pen = 0;
     mt_extents all = {0};
     for (unsigned i = 0; i < hb_buffer_get_length(line->buffer); i++) {
@@ -175,7 +175,7 @@ static void measure(const mt_instance *instance, mt_line *line) {
     line->extents = all;
 }
 
-mt_status mt_line_shape(const mt_instance *instance, const char *utf8, int length, mt_line *line) {
+mt_status mt_line_shape(const mt_typeset *instance, const char *utf8, int length, mt_line *line) {
     *line = (mt_line){.buffer = hb_buffer_create()};
     hb_buffer_add_utf8(line->buffer, utf8, length, 0, length);
     hb_buffer_guess_segment_properties(line->buffer);
@@ -193,7 +193,7 @@ void mt_line_free(mt_line *line) {
     line->buffer = NULL;
 }
 
-void mt_line_draw(const mt_instance *instance, const mt_line *line, cairo_t *cairo, double x, double y,
+void mt_line_draw(const mt_typeset *instance, const mt_line *line, cairo_t *cairo, double x, double y,
                   double size) {
     double pen = 0, scale = size / instance->units;
     for (unsigned i = 0; i < hb_buffer_get_length(line->buffer); i++) {

@@ -1,26 +1,26 @@
 /* The font at one T, made by the blend and read back by HarfBuzz: pictures show what the font file gives. */
-#ifndef MT_INSTANCE_H
-#define MT_INSTANCE_H
+#ifndef MT_PICTURE_TYPESET_H
+#define MT_PICTURE_TYPESET_H
 
 #include "morphotype.h"
 
 #include <cairo.h>
 #include <hb.h>
 
-typedef struct mt_instance {
+typedef struct mt_typeset {
     uint8_t *bytes;
     hb_font_t *font;
     hb_draw_funcs_t *draw;
     double units;           /* per em */
     double ascent, descent; /* em, from the baseline; descent is positive */
-} mt_instance;
+} mt_typeset;
 
 /* `count` instances, one for each T. MT_NO_MEMORY, and what mt_blend_fonts gives. */
-mt_status mt_instances_new(mt_blend *blend, const double *at, int count, mt_instance **instances);
-void mt_instances_free(mt_instance *instances, int count); /* NULL is fine */
+mt_status mt_typesets_new(mt_blend *blend, const double *at, int count, mt_typeset **instances);
+void mt_typesets_free(mt_typeset *instances, int count); /* NULL is fine */
 
 /* The glyph of a code point; false when the font has none. */
-bool mt_instance_glyph(const mt_instance *instance, uint32_t code_point, uint32_t *glyph);
+bool mt_typeset_glyph(const mt_typeset *instance, uint32_t code_point, uint32_t *glyph);
 
 /* An upright box of ink around an origin, em, y upwards; `advance` is how far the pen moves on. */
 typedef struct mt_extents {
@@ -33,15 +33,15 @@ typedef struct mt_line {
     hb_buffer_t *buffer;
     mt_extents extents;
 } mt_line;
-mt_status mt_line_shape(const mt_instance *instance, const char *utf8, int length, mt_line *line);
+mt_status mt_line_shape(const mt_typeset *instance, const char *utf8, int length, mt_line *line);
 void mt_line_free(mt_line *line); /* all zero is fine */
 
-mt_extents mt_glyph_extents(const mt_instance *instance, uint32_t glyph);
+mt_extents mt_glyph_extents(const mt_typeset *instance, uint32_t glyph);
 
 /* Fills with the current colour, nonzero; (x, y) is the origin on the page and `size` the em. */
-void mt_line_draw(const mt_instance *instance, const mt_line *line, cairo_t *cairo, double x, double y,
+void mt_line_draw(const mt_typeset *instance, const mt_line *line, cairo_t *cairo, double x, double y,
                   double size);
-void mt_glyph_draw(const mt_instance *instance, uint32_t glyph, cairo_t *cairo, double x, double y,
+void mt_glyph_draw(const mt_typeset *instance, uint32_t glyph, cairo_t *cairo, double x, double y,
                    double size);
 
 #endif

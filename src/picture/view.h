@@ -1,6 +1,6 @@
 /* One character as the engine sees it, for the inspection's picture and for its data. */
-#ifndef MT_VIEW_H
-#define MT_VIEW_H
+#ifndef MT_PICTURE_VIEW_H
+#define MT_PICTURE_VIEW_H
 
 #include "blend/pair.h"
 

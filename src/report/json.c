@@ -63,7 +63,7 @@ static void add_flags(mt_json *json, const mt_report_glyph *glyph) {
     mt_json_array_end(json);
 }
 
-static void add_ink(mt_json *json, const mt_census *ink) {
+static void add_ink(mt_json *json, const mt_topology *ink) {
     mt_json_int(json, "components", ink->components);
     mt_json_int(json, "holes", ink->holes);
     mt_json_int(json, "crumbs", ink->crumbs);
@@ -76,7 +76,8 @@ static void add_drawing(mt_json *json, const mt_report_drawing *drawing) {
     mt_json_int(json, "slight_corners", drawing->slight);
 }
 
-static void add_end(mt_json *json, const char *key, const mt_census *ink, const mt_report_drawing *drawing) {
+static void add_end(mt_json *json, const char *key, const mt_topology *ink,
+                    const mt_report_drawing *drawing) {
     mt_json_one_line(json);
     mt_json_object(json, key);
     add_ink(json, ink);

@@ -56,7 +56,7 @@ int mt_report_points_limit(const mt_report_glyph *glyph) {
 
 /* How far one of the counts at a place is out of the ends' range. */
 static double excess_at(const mt_report_glyph *glyph, mt_report_flag flag, int step) {
-    const mt_census *a = &glyph->ink_a, *b = &glyph->ink_b, *at = &glyph->ink[step];
+    const mt_topology *a = &glyph->ink_a, *b = &glyph->ink_b, *at = &glyph->ink[step];
     switch (flag) {
     case MT_FLAG_COMPONENTS: return mt_count_excess(at->components, a->components, b->components);
     case MT_FLAG_HOLES: return mt_count_excess(at->holes, a->holes, b->holes);
@@ -148,7 +148,7 @@ static void say_ink(const mt_report_glyph *glyph, char *text) {
 
 void mt_report_reason(const mt_report_glyph *glyph, mt_report_flag flag, char text[MT_REPORT_REASON_ROOM]) {
     int step = worst_step(glyph, flag);
-    const mt_census *a = &glyph->ink_a, *b = &glyph->ink_b, *at = &glyph->ink[step];
+    const mt_topology *a = &glyph->ink_a, *b = &glyph->ink_b, *at = &glyph->ink[step];
     const mt_report_drawing *p = &glyph->drawing_a, *q = &glyph->drawing_b, *half = &glyph->drawing_half;
     switch (flag) {
     case MT_FLAG_FAILED: snprintf(text, MT_REPORT_REASON_ROOM, "%s", mt_status_text(glyph->status)); break;

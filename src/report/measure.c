@@ -12,13 +12,13 @@ double mt_report_t(int step) {
 /* ---- ink ----------------------------------------------------------------------------------------------- */
 
 /* Chords may touch where the curves do not: what is not clean is looked at again, more finely. */
-static mt_status measure_ink(const mt_outline *outline, double tolerance, mt_arena *arena, mt_census *ink) {
+static mt_status measure_ink(const mt_outline *outline, double tolerance, mt_arena *arena, mt_topology *ink) {
     mt_shape shape;
     bool clean;
     mt_status status = mt_outline_resolve(outline, tolerance, arena, &shape, &clean);
     if (status == MT_OK && !clean)
         status = mt_outline_resolve(outline, tolerance / MT_OVERLAP_CARE, arena, &shape, &clean);
-    if (status == MT_OK) *ink = mt_census_of(&shape);
+    if (status == MT_OK) *ink = mt_topology_of(&shape);
     return status;
 }
 
@@ -92,11 +92,11 @@ static mt_status measure_drawing(const mt_outline *outline, int units, mt_arena 
 }
 
 static mt_status measure_end(const mt_shape *shape, const mt_params *params, int units, mt_arena *arena,
-                             mt_census *ink, mt_report_drawing *drawing) {
+                             mt_topology *ink, mt_report_drawing *drawing) {
     mt_outline outline;
     mt_status status = mt_shape_outline(shape, params, arena, &outline);
     if (status == MT_OK) status = measure_drawing(&outline, units, arena, drawing);
-    if (status == MT_OK) *ink = mt_census_of(shape);
+    if (status == MT_OK) *ink = mt_topology_of(shape);
     return status;
 }
 

@@ -49,7 +49,7 @@ static mt_status measure_one(int index, mt_arena *scratch, void *user) {
 static mt_status measure_all(mt_report *report) {
     const mt_report_request *request = &report->request;
     mt_report_job job = {
-        .request = request, .glyphs = report->glyphs, .units = mt_recipe_units(request->a, request->b)};
+        .request = request, .glyphs = report->glyphs, .units = mt_metadata_units(request->a, request->b)};
     mt_work work = {.count = report->count,
                     .task = measure_one,
                     .user = &job,

@@ -7,8 +7,8 @@
  *     report_json.c     the report as data
  *     report_html.c     the report as a page, with strips by report_strip.c
  */
-#ifndef MT_REPORT_H
-#define MT_REPORT_H
+#ifndef MT_REPORT_REPORT_H
+#define MT_REPORT_REPORT_H
 
 #include "base/buffer.h"
 #include "blend/pair.h"
@@ -72,8 +72,8 @@ typedef struct mt_report_glyph {
     uint32_t code_point; /* the first character that it stands for */
     mt_status status;    /* other than MT_OK: all that follows but flags and severity is 0 */
     mt_report_method method;
-    mt_census ink_a, ink_b; /* as the fonts draw them */
-    mt_census ink[MT_REPORT_STEPS];
+    mt_topology ink_a, ink_b; /* as the fonts draw them */
+    mt_topology ink[MT_REPORT_STEPS];
     mt_report_drawing drawing_a, drawing_b, drawing_half; /* a's and b's fitted by themselves */
     unsigned flags;
     double severity; /* 0 without a flag */

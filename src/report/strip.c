@@ -9,13 +9,13 @@
 
 #define PADDING 20 /* around the ink, thousandths of the em */
 
-typedef struct mt_pen {
+typedef struct mt_svg_pen {
     mt_buffer *text;
     mt_status status;
     int x, y; /* where it is, as written */
-} mt_pen;
+} mt_svg_pen;
 
-static void put(mt_pen *pen, const char *text) {
+static void put(mt_svg_pen *pen, const char *text) {
     if (pen->status == MT_OK) pen->status = mt_buffer_add(pen->text, text, strlen(text));
 }
 
@@ -24,13 +24,13 @@ static int scaled(double grid) {
 }
 
 /* "12-5": a sign parts numbers as well as a blank does. */
-static void put_pair(mt_pen *pen, bool first, int x, int y) {
+static void put_pair(mt_svg_pen *pen, bool first, int x, int y) {
     char text[32];
     snprintf(text, sizeof text, "%s%d%s%d", first || x < 0 ? "" : " ", x, y < 0 ? "" : " ", y);
     put(pen, text);
 }
 
-static void put_segment(mt_pen *pen, const mt_segment *segment) {
+static void put_segment(mt_svg_pen *pen, const mt_segment *segment) {
     int x = scaled(segment->end.x), y = -scaled(segment->end.y);
     put(pen, segment->degree == 1 ? "l" : "q");
     if (segment->degree == 2)
@@ -40,7 +40,7 @@ static void put_segment(mt_pen *pen, const mt_segment *segment) {
     pen->y = y;
 }
 
-static void put_contour(mt_pen *pen, const mt_contour *contour) {
+static void put_contour(mt_svg_pen *pen, const mt_contour *contour) {
     mt_point start = contour->segments[contour->count - 1].end;
     pen->x = scaled(start.x);
     pen->y = -scaled(start.y);
@@ -60,13 +60,13 @@ static mt_box view_of(const mt_glyph_pair *pair) {
 }
 
 static bool is_off(const mt_report_glyph *glyph, int step) {
-    const mt_census *a = &glyph->ink_a, *b = &glyph->ink_b, *at = &glyph->ink[step];
+    const mt_topology *a = &glyph->ink_a, *b = &glyph->ink_b, *at = &glyph->ink[step];
     return mt_count_excess(at->components, a->components, b->components) ||
            mt_count_excess(at->holes, a->holes, b->holes) ||
            mt_report_ink_excess(glyph, step) > MT_INK_EXCESS;
 }
 
-static void put_picture(mt_pen *pen, mt_box view, bool off, const mt_outline *outline) {
+static void put_picture(mt_svg_pen *pen, mt_box view, bool off, const mt_outline *outline) {
     char text[160];
     int width = view.max.x - view.min.x, height = view.max.y - view.min.y;
     snprintf(text, sizeof text, "<svg%s viewBox=\"%d %d %d %d\" width=\"%d\" height=\"%d\"><path d=\"",
@@ -78,7 +78,7 @@ static void put_picture(mt_pen *pen, mt_box view, bool off, const mt_outline *ou
 
 mt_status mt_report_strip(const mt_glyph_pair *pair, const mt_params *params, const mt_report_glyph *glyph,
                           mt_arena *arena, mt_buffer *text) {
-    mt_pen pen = {.text = text};
+    mt_svg_pen pen = {.text = text};
     mt_box view = view_of(pair);
     mt_arena_place before = mt_arena_mark(arena);
     for (int i = 0; pen.status == MT_OK && i < MT_REPORT_STEPS; i++) {

@@ -1,6 +1,6 @@
 /* A variable font as its masters: a designspace document, and beside it a folder with a UFO for each. */
-#ifndef MT_DESIGNSPACE_H
-#define MT_DESIGNSPACE_H
+#ifndef MT_SAVE_DESIGNSPACE_H
+#define MT_SAVE_DESIGNSPACE_H
 
 #include "base/folder.h"
 #include "sfnt/axis_map.h"

@@ -1,6 +1,6 @@
 /* Blended fonts saved in the format of their file's extension: .ttf, .woff2 or .ufo. */
-#ifndef MT_SAVE_H
-#define MT_SAVE_H
+#ifndef MT_SAVE_SAVE_H
+#define MT_SAVE_SAVE_H
 
 #include "sfnt/axis_map.h"
 #include "write/write.h"

@@ -50,7 +50,7 @@ static mt_status write_layers(mt_folder *folder) {
 static void put_variants(const mt_font_data *data, const mt_ufo_glyphs *glyphs, mt_xml *xml) {
     mt_plist_group(xml, "public.unicodeVariationSequences", "dict");
     for (int i = 0; i < data->variant_count; i++) {
-        const mt_char_variant *variant = &data->variants[i];
+        const mt_char_variation *variant = &data->variants[i];
         char selector[16], character[16];
         snprintf(selector, sizeof selector, "%04X", (unsigned)variant->selector);
         snprintf(character, sizeof character, "%04X", (unsigned)variant->code_point);

@@ -1,6 +1,6 @@
 /* A font as Unified Font Object 3 (unifiedfontobject.org), for designers to go on with in their editor. */
-#ifndef MT_UFO_H
-#define MT_UFO_H
+#ifndef MT_SAVE_UFO_H
+#define MT_SAVE_UFO_H
 
 #include "base/folder.h"
 #include "write/write.h"

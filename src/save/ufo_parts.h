@@ -1,6 +1,6 @@
 /* The parts of a UFO, a function each; only ufo.c calls them. */
-#ifndef MT_UFO_PARTS_H
-#define MT_UFO_PARTS_H
+#ifndef MT_SAVE_UFO_PARTS_H
+#define MT_SAVE_UFO_PARTS_H
 
 #include "base/memory.h"
 #include "base/xml.h"

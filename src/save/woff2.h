@@ -1,6 +1,6 @@
 /* WOFF2, by Google's libwoff2 (WOFF File Format 2.0, W3C). */
-#ifndef MT_WOFF2_H
-#define MT_WOFF2_H
+#ifndef MT_SAVE_WOFF2_H
+#define MT_SAVE_WOFF2_H
 
 #include "morphotype.h"
 

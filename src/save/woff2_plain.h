@@ -1,6 +1,6 @@
 /* WOFF2 with every table as it is. */
-#ifndef MT_WOFF2_PLAIN_H
-#define MT_WOFF2_PLAIN_H
+#ifndef MT_SAVE_WOFF2_PLAIN_H
+#define MT_SAVE_WOFF2_PLAIN_H
 
 #include "morphotype.h"
 

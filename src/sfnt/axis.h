@@ -1,6 +1,6 @@
 /* The axis of Morphotype's variable fonts: from the first font, where they stand without a setting, to the last. */
-#ifndef MT_AXIS_H
-#define MT_AXIS_H
+#ifndef MT_SFNT_AXIS_H
+#define MT_SFNT_AXIS_H
 
 #include <math.h>
 

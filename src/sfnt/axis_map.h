@@ -1,6 +1,6 @@
 /* How far a variable font has got where users set its axis: on straight lines between points ('avar', segment maps). */
-#ifndef MT_AXIS_MAP_H
-#define MT_AXIS_MAP_H
+#ifndef MT_SFNT_AXIS_MAP_H
+#define MT_SFNT_AXIS_MAP_H
 
 #include "morphotype.h"
 

@@ -1,6 +1,6 @@
 /* Rows of whole numbers, each kept once and numbered in the order in which they first come. */
-#ifndef MT_INTERN_H
-#define MT_INTERN_H
+#ifndef MT_SFNT_INTERN_H
+#define MT_SFNT_INTERN_H
 
 #include <stdint.h>
 

@@ -1,6 +1,6 @@
 /* What reading and writing share of the sfnt format: TrueType, OpenType and collections. */
-#ifndef MT_SFNT_H
-#define MT_SFNT_H
+#ifndef MT_SFNT_SFNT_H
+#define MT_SFNT_SFNT_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -2,8 +2,8 @@
  *
  * A table that could not grow has failed and takes no more bytes; that is looked at once, when all tables are
  * written. */
-#ifndef MT_TABLE_H
-#define MT_TABLE_H
+#ifndef MT_SFNT_TABLE_H
+#define MT_SFNT_TABLE_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -3,8 +3,8 @@
  * A varying font has its sources as stops on one axis, evenly from 0 to 1; the first is the default. What some value is
  * at each stop is a row, and between two stops it runs straight: region r (0 …) peaks at stop r + 1 and ends at the
  * stops beside it, so that a row's delta there is its value at that stop less the first. */
-#ifndef MT_VAR_STORE_H
-#define MT_VAR_STORE_H
+#ifndef MT_SFNT_VAR_STORE_H
+#define MT_SFNT_VAR_STORE_H
 
 #include "sfnt/intern.h"
 #include "sfnt/table.h"

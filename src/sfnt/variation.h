@@ -1,6 +1,6 @@
 /* How a font in writing varies along its one axis, as plain data. */
-#ifndef MT_VARIATION_H
-#define MT_VARIATION_H
+#ifndef MT_SFNT_VARIATION_H
+#define MT_SFNT_VARIATION_H
 
 #include <stdint.h>
 
@@ -31,7 +31,7 @@ typedef struct mt_named_place {
 } mt_named_place;
 
 /* The axis goes from `least`, where the font stands without a setting, to `most`. */
-typedef struct mt_variation {
+typedef struct mt_axis_data {
     uint32_t tag;
     const char *name; /* UTF-8, as are those of the places */
     double least, most;
@@ -39,6 +39,6 @@ typedef struct mt_variation {
     const mt_named_place *named; /* ascending */
     const mt_glyph_moves *moves; /* one a glyph */
     mt_axis_map map;
-} mt_variation;
+} mt_axis_data;
 
 #endif

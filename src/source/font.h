@@ -1,6 +1,6 @@
 /* Reading fonts, through FreeType. */
-#ifndef MT_FONT_H
-#define MT_FONT_H
+#ifndef MT_SOURCE_FONT_H
+#define MT_SOURCE_FONT_H
 
 #include "geometry/outline.h"
 #include "morphotype.h"

@@ -8,12 +8,12 @@
 
 /* ---- a font's own -------------------------------------------------------------------------------------- */
 
-typedef struct mt_reading {
+typedef struct mt_name_reading {
     mt_arena *arena;
     int count;
     const char **names; /* NULL when the font has none */
     mt_status status;
-} mt_reading;
+} mt_name_reading;
 
 /* Whether the name is one of these words and a number, which some programs give to all glyphs. */
 static bool tells_number(const char *name) {
@@ -27,7 +27,7 @@ static bool tells_number(const char *name) {
     return false;
 }
 
-static mt_status keep_name(mt_reading *reading, int glyph, const char *name) {
+static mt_status keep_name(mt_name_reading *reading, int glyph, const char *name) {
     if (!*name || tells_number(name)) return MT_OK;
     size_t length = strlen(name) + 1;
     char *copy = mt_arena_new(reading->arena, length, 1);
@@ -37,7 +37,7 @@ static mt_status keep_name(mt_reading *reading, int glyph, const char *name) {
 }
 
 static mt_status read_names(mt_font *font, void *user) {
-    mt_reading *reading = user;
+    mt_name_reading *reading = user;
     char name[256];
     if (!FT_HAS_GLYPH_NAMES(font->face)) return MT_OK;
     reading->names = mt_arena_new(reading->arena, (size_t)reading->count + 1, sizeof *reading->names);
@@ -49,7 +49,7 @@ static mt_status read_names(mt_font *font, void *user) {
 }
 
 mt_status mt_font_glyph_names(mt_font *font, mt_arena *arena, const char ***names) {
-    mt_reading reading = {.arena = arena, .count = mt_font_glyph_count(font)};
+    mt_name_reading reading = {.arena = arena, .count = mt_font_glyph_count(font)};
     if (!font->face) return MT_NO_MEMORY;
     mt_status status = mt_font_guard(font, read_names, &reading);
     if (status == MT_OK) *names = reading.names;

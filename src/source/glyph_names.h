@@ -1,6 +1,6 @@
 /* Names of glyphs. */
-#ifndef MT_GLYPH_NAMES_H
-#define MT_GLYPH_NAMES_H
+#ifndef MT_SOURCE_GLYPH_NAMES_H
+#define MT_SOURCE_GLYPH_NAMES_H
 
 #include "glyphset/charset.h"
 

@@ -1,6 +1,6 @@
 /* Inside a font handle: shared by the files that read fonts, and by nothing else. */
-#ifndef MT_HANDLE_H
-#define MT_HANDLE_H
+#ifndef MT_SOURCE_HANDLE_H
+#define MT_SOURCE_HANDLE_H
 
 #include <setjmp.h>
 

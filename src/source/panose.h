@@ -1,7 +1,7 @@
 /* PANOSE, a typeface described by ten digits (OpenType spec, "OS/2": panose). What a digit means depends on the first,
  * the family kind. In all families 0 is "any" and 1 "no fit". */
-#ifndef MT_PANOSE_H
-#define MT_PANOSE_H
+#ifndef MT_SOURCE_PANOSE_H
+#define MT_SOURCE_PANOSE_H
 
 #include <stdint.h>
 

@@ -1,6 +1,6 @@
 /* Names that a font keeps for itself, and whether another name has one in it. */
-#ifndef MT_RESERVED_H
-#define MT_RESERVED_H
+#ifndef MT_SOURCE_RESERVED_H
+#define MT_SOURCE_RESERVED_H
 
 #include "base/memory.h"
 #include "source/font.h"

@@ -4,8 +4,8 @@
  * an @, or at the text's end, and names something that exists and is no directory; what follows it is read as
  * the face and the axes.
  */
-#ifndef MT_SPEC_H
-#define MT_SPEC_H
+#ifndef MT_SOURCE_SPEC_H
+#define MT_SOURCE_SPEC_H
 
 #include "morphotype.h"
 

@@ -6,23 +6,23 @@
 #include "geometry/limits.h"
 #include "source/handle.h"
 
-typedef struct mt_reading {
+typedef struct mt_sequence_reading {
     mt_arena *arena;
-    mt_variants variants;
+    mt_variation_sequences variants;
     int room;
-} mt_reading;
+} mt_sequence_reading;
 
 static int in_order(const void *p, const void *q) {
-    const mt_variant *x = p, *y = q;
+    const mt_variation_sequence *x = p, *y = q;
     if (x->selector != y->selector) return x->selector < y->selector ? -1 : 1;
     return (x->code_point > y->code_point) - (x->code_point < y->code_point);
 }
 
-static mt_status add(mt_reading *reading, mt_variant variant) {
-    mt_variants *variants = &reading->variants;
+static mt_status add(mt_sequence_reading *reading, mt_variation_sequence variant) {
+    mt_variation_sequences *variants = &reading->variants;
     if (variants->count == reading->room) {
         int room = reading->room ? 2 * reading->room : 64;
-        mt_variant *list = mt_arena_new(reading->arena, (size_t)room, sizeof *list);
+        mt_variation_sequence *list = mt_arena_new(reading->arena, (size_t)room, sizeof *list);
         if (!list) return MT_NO_MEMORY;
         if (variants->count) memcpy(list, variants->list, (size_t)variants->count * sizeof *list);
         variants->list = list;
@@ -33,20 +33,21 @@ static mt_status add(mt_reading *reading, mt_variant variant) {
 }
 
 /* FreeType's lists end with 0; a list holds until the next is asked for. */
-static mt_status read_selector(mt_font *font, uint32_t selector, mt_reading *reading) {
+static mt_status read_selector(mt_font *font, uint32_t selector, mt_sequence_reading *reading) {
     const FT_UInt32 *chars = FT_Face_GetCharsOfVariant(font->face, selector);
     mt_status status = MT_OK;
-    for (; chars && *chars && status == MT_OK && reading->variants.count < MT_VARIANTS_MAX; chars++) {
+    for (; chars && *chars && status == MT_OK && reading->variants.count < MT_VARIATION_SEQUENCES_MAX;
+         chars++) {
         FT_UInt glyph = FT_Face_GetCharVariantIndex(font->face, *chars, selector);
         bool by_default = FT_Face_GetCharVariantIsDefault(font->face, *chars, selector) == 1;
         if (glyph && glyph < (FT_UInt)mt_font_glyph_count(font))
-            status = add(reading, (mt_variant){selector, (uint32_t)*chars, glyph, by_default});
+            status = add(reading, (mt_variation_sequence){selector, (uint32_t)*chars, glyph, by_default});
     }
     return status;
 }
 
 static mt_status read_all(mt_font *font, void *user) {
-    mt_reading *reading = user;
+    mt_sequence_reading *reading = user;
     const FT_UInt32 *selectors = FT_Face_GetVariantSelectors(font->face);
     int count = 0;
     while (selectors && selectors[count]) count++;
@@ -58,8 +59,8 @@ static mt_status read_all(mt_font *font, void *user) {
     return status;
 }
 
-mt_status mt_font_variants(mt_font *font, mt_arena *arena, mt_variants *variants) {
-    mt_reading reading = {.arena = arena};
+mt_status mt_font_variation_sequences(mt_font *font, mt_arena *arena, mt_variation_sequences *variants) {
+    mt_sequence_reading reading = {.arena = arena};
     if (!font->face) return MT_NO_MEMORY;
     mt_status status = mt_font_guard(font, read_all, &reading);
     if (status != MT_OK) return status;
@@ -69,8 +70,9 @@ mt_status mt_font_variants(mt_font *font, mt_arena *arena, mt_variants *variants
     return MT_OK;
 }
 
-const mt_variant *mt_variants_find(const mt_variants *variants, uint32_t selector, uint32_t code_point) {
-    mt_variant key = {.selector = selector, .code_point = code_point};
+const mt_variation_sequence *mt_variation_sequences_find(const mt_variation_sequences *variants,
+                                                         uint32_t selector, uint32_t code_point) {
+    mt_variation_sequence key = {.selector = selector, .code_point = code_point};
     if (variants->count == 0) return NULL;
     return bsearch(&key, variants->list, (size_t)variants->count, sizeof key, in_order);
 }

@@ -83,18 +83,18 @@ static void show_progress(int done, int all, void *user) {
 /* ---- making -------------------------------------------------------------------------------------------- */
 
 /* What a specimen keeps until its page is written; all zero at first. */
-typedef struct mt_making {
+typedef struct mt_specimen_state {
     mt_specimen specimen;
     mt_stages stages;
     mt_arena arena;
     uint8_t *font, *packed;
     size_t font_length;
     mt_report *reports; /* of each two neighbours */
-} mt_making;
+} mt_specimen_state;
 
 /* An mt_font_ready. */
 static mt_status keep_font(const mt_font_data *data, int index, void *user) {
-    mt_making *making = user;
+    mt_specimen_state *making = user;
     mt_specimen *specimen = &making->specimen;
     (void)index;
     mt_status status = mt_font_write(data, &making->font, &making->font_length);
@@ -105,7 +105,7 @@ static mt_status keep_font(const mt_font_data *data, int index, void *user) {
     return status;
 }
 
-static mt_status make_font(mt_making *making) {
+static mt_status make_font(mt_specimen_state *making) {
     const mt_specimen_request *request = making->specimen.request;
     mt_variable_on_progress(request->variable, show_progress, &making->stages);
     mt_status status = mt_variable_make(request->variable, keep_font, making);
@@ -116,7 +116,7 @@ static mt_status make_font(mt_making *making) {
 }
 
 /* The characters that the font has: of three fonts and more, two neighbours may share others. */
-static mt_status judge_step(mt_making *making, int step) {
+static mt_status judge_step(mt_specimen_state *making, int step) {
     const mt_specimen_request *request = making->specimen.request;
     mt_report_request wanted = {.a = request->fonts[step],
                                 .b = request->fonts[step + 1],
@@ -132,7 +132,7 @@ static mt_status judge_step(mt_making *making, int step) {
     return mt_specimen_flags_make(&making->reports[step], &making->arena, &making->specimen.flags[step]);
 }
 
-static mt_status judge(mt_making *making) {
+static mt_status judge(mt_specimen_state *making) {
     int count = making->specimen.request->font_count - 1;
     making->reports = mt_new((size_t)count, sizeof *making->reports);
     making->specimen.flags = mt_arena_new(&making->arena, (size_t)count, sizeof *making->specimen.flags);
@@ -142,7 +142,7 @@ static mt_status judge(mt_making *making) {
     return status;
 }
 
-static void end(mt_making *making) {
+static void end(mt_specimen_state *making) {
     for (int i = 0; making->reports && i + 1 < making->specimen.request->font_count; i++)
         mt_report_free(&making->reports[i]);
     mt_free(making->reports);
@@ -168,7 +168,7 @@ static mt_status write_page(const mt_specimen *specimen, const char *path) {
 }
 
 mt_status mt_specimen_save(const mt_specimen_request *request, const char *path) {
-    mt_making making = {.specimen = {.request = request}, .stages = {.request = request}};
+    mt_specimen_state making = {.specimen = {.request = request}, .stages = {.request = request}};
     mt_status status = make_font(&making);
     if (status == MT_OK) status = judge(&making);
     if (status == MT_OK) status = write_page(&making.specimen, path);

@@ -7,8 +7,8 @@
  *     specimen_data.c   all this as the page's script reads it
  *     specimen_page.h   the page itself, made by specimen/embed.py of page.html, style.css and script.js there
  */
-#ifndef MT_SPECIMEN_H
-#define MT_SPECIMEN_H
+#ifndef MT_SPECIMEN_SPECIMEN_H
+#define MT_SPECIMEN_SPECIMEN_H
 
 #include "report/report.h"
 

@@ -48,14 +48,14 @@ static mt_status check_chars(const mt_font_data *data) {
     return MT_OK;
 }
 
-static bool in_order(const mt_char_variant *before, const mt_char_variant *after) {
+static bool in_order(const mt_char_variation *before, const mt_char_variation *after) {
     if (before->selector != after->selector) return before->selector < after->selector;
     return before->code_point < after->code_point;
 }
 
 static mt_status check_variants(const mt_font_data *data) {
     for (int i = 0; i < data->variant_count; i++) {
-        const mt_char_variant *variant = &data->variants[i];
+        const mt_char_variation *variant = &data->variants[i];
         if (i > 0 && !in_order(variant - 1, variant)) return MT_BAD_PARAMETER;
         if (variant->code_point > 0x10FFFF || variant->selector > 0x10FFFF) return MT_BAD_PARAMETER;
         if (variant->glyph >= data->glyph_count) return MT_BAD_PARAMETER;

@@ -120,5 +120,5 @@ void mt_write_cmap(const mt_font_data *data, const mt_summary *summary, mt_table
     if (full) write_record(WINDOWS, WINDOWS_FULL, format12, table);
     write_format4(data, limit, segments, table);
     if (full) write_format12(data, table);
-    if (varied) mt_write_variants(data, table);
+    if (varied) mt_write_variation_sequences(data, table);
 }

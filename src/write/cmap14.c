@@ -71,7 +71,7 @@ static void write_lists(const mt_font_data *data, int start, int end, mt_table *
     write_mappings(data, start, end, table);
 }
 
-void mt_write_variants(const mt_font_data *data, mt_table *table) {
+void mt_write_variation_sequences(const mt_font_data *data, mt_table *table) {
     mt_table records = {0}, lists = {0};
     uint32_t selectors = 0, at = HEADER;
     for (int i = 0; i < data->variant_count; i = selector_end(data, i)) selectors++;

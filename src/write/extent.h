@@ -1,6 +1,6 @@
 /* How far the glyphs of a font in writing reach, and how much they hold when their references are followed. */
-#ifndef MT_EXTENT_H
-#define MT_EXTENT_H
+#ifndef MT_WRITE_EXTENT_H
+#define MT_WRITE_EXTENT_H
 
 #include "write/write.h"
 

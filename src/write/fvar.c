@@ -7,7 +7,7 @@
 
 enum { AXIS_RECORD = 20, INSTANCE_RECORD = 8 };
 
-static void write_axis(const mt_variation *variation, mt_table *table) {
+static void write_axis(const mt_axis_data *variation, mt_table *table) {
     mt_table_32(table, variation->tag);
     mt_table_fixed(table, variation->least);
     mt_table_fixed(table, variation->least); /* where the font stands without a setting */
@@ -18,7 +18,7 @@ static void write_axis(const mt_variation *variation, mt_table *table) {
 
 void mt_write_fvar(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
     enum { AXES_OFFSET = 16 };
-    const mt_variation *variation = data->variation;
+    const mt_axis_data *variation = data->variation;
     (void)summary;
     if (!variation) return;
     mt_table_32(table, 0x00010000);
@@ -38,7 +38,7 @@ void mt_write_fvar(const mt_font_data *data, const mt_summary *summary, mt_table
 
 void mt_write_stat(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
     enum { HEADER = 20, DESIGN_AXIS = 8, AXIS_VALUE = 12, OFFSET = 2 };
-    const mt_variation *variation = data->variation;
+    const mt_axis_data *variation = data->variation;
     (void)summary;
     if (!variation) return;
     int count = variation->named_count;
@@ -68,7 +68,7 @@ static void write_map_point(mt_map_point point, mt_table *table) {
 }
 
 void mt_write_avar(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
-    const mt_variation *variation = data->variation;
+    const mt_axis_data *variation = data->variation;
     (void)summary;
     if (!variation || variation->map.count == 0) return;
     mt_table_32(table, 0x00010000);

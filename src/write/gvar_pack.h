@@ -1,7 +1,7 @@
 /* Point numbers and deltas as 'gvar' packs them (OpenType spec, "Tuple variation store": packed point numbers, packed
  * deltas). */
-#ifndef MT_GVAR_PACK_H
-#define MT_GVAR_PACK_H
+#ifndef MT_WRITE_GVAR_PACK_H
+#define MT_WRITE_GVAR_PACK_H
 
 #include "sfnt/table.h"
 

@@ -1,7 +1,7 @@
 /* Which points of a glyph have to be told how they move: the others' moves are inferred from theirs ('gvar', "Inferred
  * deltas for un-referenced point numbers"). */
-#ifndef MT_IUP_H
-#define MT_IUP_H
+#ifndef MT_WRITE_IUP_H
+#define MT_WRITE_IUP_H
 
 #include "base/memory.h"
 #include "write/write.h"

@@ -1,6 +1,6 @@
 /* OS/2 usMaxContext: how many glyphs the font's layout looks at together, at most. */
-#ifndef MT_MAX_CONTEXT_H
-#define MT_MAX_CONTEXT_H
+#ifndef MT_WRITE_MAX_CONTEXT_H
+#define MT_WRITE_MAX_CONTEXT_H
 
 #include "source/font.h"
 

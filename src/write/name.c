@@ -77,7 +77,7 @@ static void add_postscript_name(const mt_font_data *data, mt_naming *naming) {
 
 /* Of the family alone, without what stands for another character. */
 static void add_axis_names(const mt_font_data *data, mt_naming *naming) {
-    const mt_variation *variation = data->variation;
+    const mt_axis_data *variation = data->variation;
     char prefix[MT_POSTSCRIPT_NAME_ROOM];
     copy_printable(data->family, POSTSCRIPT_MAX - POSTSCRIPT_STYLE_MAX, prefix);
     add_name(MT_NAME_VARIATIONS_PREFIX, prefix, NULL, naming);

@@ -64,7 +64,7 @@ enum { MT_POSTSCRIPT_NAME_ROOM = 64 };
 void mt_postscript_name(const mt_font_data *data, char name[MT_POSTSCRIPT_NAME_ROOM]);
 
 /* write_cmap14.c: the subtable of variation sequences. */
-void mt_write_variants(const mt_font_data *data, mt_table *table);
+void mt_write_variation_sequences(const mt_font_data *data, mt_table *table);
 
 /* write_glyf.c: whether loca needs 32-bit offsets; known when glyf is written. */
 bool mt_loca_is_long(const mt_font_data *data, const mt_summary *summary);

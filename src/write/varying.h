@@ -1,7 +1,7 @@
 /* The metrics of a varying font: what its default has, and HVAR, VVAR and MVAR with what each other stop adds to it.
  * Stops are those of var_store.h; each has its own metrics, of a whole font in the same glyphs and units. */
-#ifndef MT_VARYING_H
-#define MT_VARYING_H
+#ifndef MT_WRITE_VARYING_H
+#define MT_WRITE_VARYING_H
 
 #include "base/memory.h"
 #include "write/write.h"

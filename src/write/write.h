@@ -1,6 +1,6 @@
 /* Writing a TrueType font from plain data. */
-#ifndef MT_WRITE_H
-#define MT_WRITE_H
+#ifndef MT_WRITE_WRITE_H
+#define MT_WRITE_WRITE_H
 
 #include "sfnt/variation.h"
 #include "source/font.h"
@@ -36,11 +36,11 @@ typedef struct mt_char {
 } mt_char;
 
 /* A character with a variation selector after it. */
-typedef struct mt_char_variant {
+typedef struct mt_char_variation {
     uint32_t selector, code_point;
     uint16_t glyph;
     bool by_default; /* the character's own glyph */
-} mt_char_variant;
+} mt_char_variation;
 
 /* A table that was made elsewhere and goes into the font as it is. */
 typedef struct mt_extra_table {
@@ -57,12 +57,12 @@ typedef struct mt_font_data {
     int char_count;
     mt_char *chars; /* ascending */
     int variant_count;
-    mt_char_variant *variants; /* by selector, then by character, each once */
+    mt_char_variation *variants; /* by selector, then by character, each once */
     mt_metrics metrics;
     int64_t created, modified; /* seconds since 1904 */
     uint16_t embedding;        /* OS/2 fsType */
     const char **glyph_names; /* one a glyph, 1 … MT_GLYPH_NAME_MAX printable ASCII characters; NULL: none */
-    const mt_variation *variation;    /* NULL: the font does not vary */
+    const mt_axis_data *variation;    /* NULL: the font does not vary */
     const struct mt_kerning *kerning; /* for a UFO, which has no GPOS; NULL: none */
     int extra_count;
     mt_extra_table extras[MT_EXTRA_TABLES_MAX]; /* none of a tag that is written here, none empty */

@@ -13,7 +13,7 @@
 /* The sample font with a sixth glyph, made of A and o. */
 static mt_font_data with_composite(mt_arena *arena) {
     static mt_glyf_reference references[] = {{.glyph = 1}, {.glyph = 2, .dx = 30, .dy = -20}};
-    static mt_char_variant variants[] = {
+    static mt_char_variation variants[] = {
         {0xFE00, 'A', 5, false}, {0xFE00, 'o', 2, true}, {0xE0100, 'o', 5, false}};
     mt_font_data data = mt_sample_font(arena);
     mt_glyf *glyphs = mt_arena_new(arena, 6, sizeof *glyphs);

@@ -123,8 +123,8 @@ static void say(const char *what, uint32_t code_point, double t, mt_point at, do
            at.y / (MT_EM / 1000));
 }
 
-static void look_at_node(const mt_masters *m, const mt_contour between[PLACES], int k, uint32_t code_point,
-                         mt_tally *sum) {
+static void look_at_node(const mt_contour_pair *m, const mt_contour between[PLACES], int k,
+                         uint32_t code_point, mt_tally *sum) {
     sum->nodes++;
     if (turn_at(&m->a, k) > SMOOTH || turn_at(&m->b, k) > SMOOTH) return;
     for (int i = 0; i < PLACES; i++) {
@@ -135,7 +135,7 @@ static void look_at_node(const mt_masters *m, const mt_contour between[PLACES], 
     }
 }
 
-static void look_at_segment(const mt_masters *m, const mt_contour *half, int k, uint32_t code_point,
+static void look_at_segment(const mt_contour_pair *m, const mt_contour *half, int k, uint32_t code_point,
                             mt_tally *sum) {
     const mt_contour *const all[3] = {&m->a, half, &m->b};
     mt_point at = segment_at(half, k)->end;
@@ -154,10 +154,10 @@ static void look_at_segment(const mt_masters *m, const mt_contour *half, int k, 
     }
 }
 
-static void look_at_contour(const mt_masters *m, uint32_t code_point, mt_arena *arena, mt_tally *sum) {
+static void look_at_contour(const mt_contour_pair *m, uint32_t code_point, mt_arena *arena, mt_tally *sum) {
     mt_contour between[PLACES];
     for (int i = 0; i < PLACES; i++) {
-        mt_status status = mt_masters_mix(m, mt_weights_at(places[i]), arena, &between[i]);
+        mt_status status = mt_contour_pair_mix(m, mt_weights_at(places[i]), arena, &between[i]);
         if (status != MT_OK) stop(status, "mixing");
     }
     for (int k = 0; k < m->a.count; k++) {

@@ -225,7 +225,7 @@ static mt_pieces triangles_of(const mt_component *component) {
 }
 
 /* The piece that a triangle is a part of. */
-static int home_of(const mt_ring *triangle, const mt_pieces *pieces) {
+static int origin_of(const mt_ring *triangle, const mt_pieces *pieces) {
     const mt_point *p = triangle->points;
     mt_spot middle = {(int64_t)p[0].x + p[1].x + p[2].x, (int64_t)p[0].y + p[1].y + p[2].y};
     for (int i = 0; i < pieces->count; i++) {
@@ -257,8 +257,8 @@ static void finer_links_give_less(void **state) {
         all.count = some.count = 0;
         for (int i = 0; i < fine_a.count; i++)
             for (int j = 0; j < fine_b.count; j++) {
-                int a = home_of(&fine_a.rings[i], &morph.a.pieces),
-                    b = home_of(&fine_b.rings[j], &morph.b.pieces);
+                int a = origin_of(&fine_a.rings[i], &morph.a.pieces),
+                    b = origin_of(&fine_b.rings[j], &morph.b.pieces);
                 bool linked = false;
                 for (int k = 0; k < morph.links.count; k++)
                     linked |= morph.links.links[k].a == a && morph.links.links[k].b == b;

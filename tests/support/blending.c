@@ -31,7 +31,7 @@ void mt_test_blend_prepare(mt_test_blend *blend) {
 }
 
 mt_test_blend mt_test_blend_of(mt_test_end a, mt_test_end b, mt_arena *arena) {
-    mt_test_blend blend = {.arena = arena, .ends = {a, b}, .units = mt_recipe_units(a.font, b.font)};
+    mt_test_blend blend = {.arena = arena, .ends = {a, b}, .units = mt_metadata_units(a.font, b.font)};
     mt_assert_ok(mt_charset_make(a.font, b.font, &(mt_charset_request){0}, arena, &blend.charset));
     mt_test_blend_prepare(&blend);
     return blend;
@@ -173,15 +173,15 @@ mt_bytes mt_test_one_lookup(uint32_t script, uint32_t feature, int type, const m
     mt_member member = {0, feature};
     mt_shared_system system = {script, MT_LANGUAGE_DEFAULT, {-1, -1}};
     mt_systems systems = {1, &system};
-    mt_made_lookup lookup = {.type = type,
-                             .mark_set = -1,
-                             .member_count = 1,
-                             .members = &member,
-                             .subtable_count = count,
-                             .subtables = subtables};
-    mt_made_lookups made = {0};
+    mt_lookup_builder lookup = {.type = type,
+                                .mark_set = -1,
+                                .member_count = 1,
+                                .members = &member,
+                                .subtable_count = count,
+                                .subtables = subtables};
+    mt_lookup_builders made = {0};
     mt_bytes gpos;
-    mt_assert_ok(mt_made_add(&made, &lookup, arena));
+    mt_assert_ok(mt_lookup_builders_add(&made, &lookup, arena));
     mt_assert_ok(mt_gpos_write(&systems, &made, arena, &gpos));
     return gpos;
 }

@@ -33,31 +33,32 @@ mt_morph mt_test_morph_of(mt_arena *arena, mt_ring *in_a, mt_ring *in_b, int cou
     mt_morph morph = {.a = side_of(arena, in_a, count),
                       .b = side_of(arena, in_b, count),
                       .contour_count = count,
-                      .contours = mt_arena_new(arena, (size_t)count, sizeof(mt_masters))};
+                      .contours = mt_arena_new(arena, (size_t)count, sizeof(mt_contour_pair))};
     assert_non_null(morph.contours);
     for (int i = 0; i < count; i++)
-        morph.contours[i] = (mt_masters){.a = contour_of(arena, &in_a[i]), .b = contour_of(arena, &in_b[i])};
+        morph.contours[i] =
+            (mt_contour_pair){.a = contour_of(arena, &in_a[i]), .b = contour_of(arena, &in_b[i])};
     return morph;
 }
 
-mt_straying mt_test_strays(mt_arena *arena, const mt_morph *morph) {
+mt_topology_error mt_test_topology_error(mt_arena *arena, const mt_morph *morph) {
     mt_params params = mt_params_default();
-    mt_straying by;
-    mt_assert_ok(mt_morph_strays(morph, INT_MAX, &params, arena, &by));
+    mt_topology_error by;
+    mt_assert_ok(mt_morph_topology_error(morph, INT_MAX, &params, arena, &by));
     return by;
 }
 
-mt_straying mt_test_mend(mt_arena *arena, mt_mend mend, mt_morph *morph) {
+mt_topology_error mt_test_mend(mt_arena *arena, mt_mend mend, mt_morph *morph) {
     mt_params params = mt_params_default();
     mt_mending m = {.morph = morph, .params = &params, .arena = arena, .effort = INT64_MAX};
     mt_assert_ok(mt_mend_begin(&m));
     mt_assert_ok(mend(&m));
-    assert_int_equal(m.by.parts, mt_test_strays(arena, morph).parts);
+    assert_int_equal(m.by.parts, mt_test_topology_error(arena, morph).parts);
     return m.by;
 }
 
-double mt_test_aside(const mt_morph *morph, int contour) {
-    mt_point by = morph->contours[contour].aside;
+double mt_test_displacement(const mt_morph *morph, int contour) {
+    mt_point by = morph->contours[contour].displacement;
     return hypot(by.x, by.y) * 1000 / MT_EM;
 }
 

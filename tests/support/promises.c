@@ -3,7 +3,7 @@
 #include "geometry/decompose.h"
 #include "support/oracle.h"
 
-enum { SAMPLES_A_SIDE = 14, SIGHT_POINTS_MAX = 60 };
+enum { SAMPLES_A_SIDE = 14, WINDOW_POINTS_MAX = 60 };
 
 static int point_count(const mt_rings *rings) {
     int count = 0;
@@ -117,7 +117,7 @@ static void check_boundary(const mt_component *component, const mt_mesh *mesh, c
     mt_require(mesh->triangle_count == edges + 2 * (component->count - 1) - 2, subject);
 }
 
-static bool in_sight(const mt_component *component, mt_spot from, mt_spot to, int64_t scale) {
+static bool in_window(const mt_component *component, mt_spot from, mt_spot to, int64_t scale) {
     for (int r = 0; r < component->count; r++) {
         const mt_ring *ring = &component->rings[r];
         for (int i = 0; i < ring->count; i++) {
@@ -131,13 +131,13 @@ static bool in_sight(const mt_component *component, mt_spot from, mt_spot to, in
 }
 
 /* The empty circle: in thirds of grid units, barycentres are exact. */
-static void check_sight(const mt_component *component, const mt_mesh *mesh, const mt_subject *subject) {
+static void check_window(const mt_component *component, const mt_mesh *mesh, const mt_subject *subject) {
     for (int t = 0; t < mesh->triangle_count; t++) {
         mt_point a = at(mesh, 3 * t), b = at(mesh, 3 * t + 1), c = at(mesh, 3 * t + 2);
         mt_spot middle = {(int64_t)a.x + b.x + c.x, (int64_t)a.y + b.y + c.y};
         for (int v = 0; v < mesh->vertex_count; v++) {
             if (mt_oracle_in_circle(a, b, c, mesh->points[v]) <= 0) continue;
-            mt_require(!in_sight(component, middle, mt_spot_of(mesh->points[v], 3), 3), subject);
+            mt_require(!in_window(component, middle, mt_spot_of(mesh->points[v], 3), 3), subject);
         }
     }
 }
@@ -148,7 +148,7 @@ void mt_check_mesh(const mt_component *component, const mt_mesh *mesh, const mt_
     check_triangles(component, mesh, subject);
     if (!mt_oracle_is_clean(component)) return;
     check_boundary(component, mesh, subject);
-    if (mesh->vertex_count <= SIGHT_POINTS_MAX) check_sight(component, mesh, subject);
+    if (mesh->vertex_count <= WINDOW_POINTS_MAX) check_window(component, mesh, subject);
 }
 
 /* ---- pieces -------------------------------------------------------------------------------------------- */

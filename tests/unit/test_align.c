@@ -25,33 +25,34 @@ static mt_ring ring_named(const char *name, int factor, mt_point by) {
     return mt_test_moved(&arena, mt_corpus_find(&corpus, name), 1000 * factor, by).rings[0];
 }
 
-static mt_stops stops_of(const mt_ring *ring, double step) {
+static mt_ring_samples samples_of(const mt_ring *ring, double step) {
     mt_trace trace;
-    mt_stops stops;
+    mt_ring_samples samples;
     mt_assert_ok(mt_trace_ring(ring, 128, &arena, &trace));
-    mt_assert_ok(mt_stops_of(&trace, 128, step, &arena, &stops));
-    return stops;
+    mt_assert_ok(mt_ring_samples_of(&trace, 128, step, &arena, &samples));
+    return samples;
 }
 
-static mt_alignment aligned(const mt_ring *a, const mt_stops *in_a, const mt_ring *b, const mt_stops *in_b) {
+static mt_alignment aligned(const mt_ring *a, const mt_ring_samples *in_a, const mt_ring *b,
+                            const mt_ring_samples *in_b) {
     mt_alignment alignment;
-    mt_assert_ok(mt_align(in_a, mt_ring_box(a), in_b, mt_ring_box(b), &(mt_tariff){3, 4, 1}, &(mt_links){0},
-                          &arena, &alignment));
+    mt_assert_ok(mt_align(in_a, mt_ring_box(a), in_b, mt_ring_box(b), &(mt_cost_weights){3, 4, 1},
+                          &(mt_links){0}, &arena, &alignment));
     return alignment;
 }
 
 static void stops_of_a_square(void **state) {
     (void)state;
     mt_ring square = ring_named("square", 1, (mt_point){0, 0});
-    assert_int_equal(stops_of(&square, 1e6).count, 4);
-    mt_stops stops = stops_of(&square, 30000);
-    assert_int_equal(stops.count, 16);
+    assert_int_equal(samples_of(&square, 1e6).count, 4);
+    mt_ring_samples samples = samples_of(&square, 30000);
+    assert_int_equal(samples.count, 16);
     for (int i = 0; i < 16; i++) {
-        assert_true(stops.stops[i].corner == (i % 4 == 0) && stops.stops[i].breaks == (i % 4 == 0));
+        assert_true(samples.samples[i].corner == (i % 4 == 0) && samples.samples[i].breaks == (i % 4 == 0));
         double side = i / 4 * M_PI / 2;
-        assert_true(fabs(remainder(stops.stops[i].out - side, 2 * M_PI)) < 1e-9);
+        assert_true(fabs(remainder(samples.samples[i].out - side, 2 * M_PI)) < 1e-9);
     }
-    assert_true(stops.stops[1].x == 25000 && stops.stops[1].y == 0 && stops.stops[6].y == 50000);
+    assert_true(samples.samples[1].x == 25000 && samples.samples[1].y == 0 && samples.samples[6].y == 50000);
 }
 
 /* Once around both, one step at a time. */
@@ -69,19 +70,19 @@ static void check_steps(const mt_alignment *alignment, int n, int m) {
     assert_true(alignment->cost >= 0);
 }
 
-/* A ring with itself, moved, made larger and started elsewhere: each stop goes with its own, at no cost. */
+/* A ring with itself, moved, made larger and started elsewhere: each sample goes with its own, at no cost. */
 static void with_itself(void **state) {
     (void)state;
     static const char *const names[] = {"square", "plus", "comb", "spiral", "star_of_five", "triangle"};
     for (int n = 0; n < 6; n++) {
         mt_ring a = ring_named(names[n], 1, (mt_point){0, 0}),
                 b = ring_named(names[n], 2, (mt_point){-7000, 9000});
-        mt_stops in_a = stops_of(&a, 20000), in_b = stops_of(&b, 40000);
+        mt_ring_samples in_a = samples_of(&a, 20000), in_b = samples_of(&b, 40000);
         assert_int_equal(in_a.count, in_b.count);
         int shift = in_b.count / 3;
-        mt_stop *turned = mt_arena_new(&arena, (size_t)in_b.count, sizeof *turned);
-        for (int i = 0; i < in_b.count; i++) turned[i] = in_b.stops[(i + shift) % in_b.count];
-        in_b.stops = turned;
+        mt_ring_sample *turned = mt_arena_new(&arena, (size_t)in_b.count, sizeof *turned);
+        for (int i = 0; i < in_b.count; i++) turned[i] = in_b.samples[(i + shift) % in_b.count];
+        in_b.samples = turned;
         mt_alignment alignment = aligned(&a, &in_a, &b, &in_b);
         check_steps(&alignment, in_a.count, in_b.count);
         assert_true(fabs(alignment.cost) < 1e-9);
@@ -96,12 +97,12 @@ static void corners_to_corners(void **state) {
     (void)state;
     mt_ring a = ring_named("square", 1, (mt_point){0, 0}), b = ring_named("square", 1, (mt_point){0, 0});
     for (int i = 0; i < 4; i++) b.points[i].x *= 3;
-    mt_stops in_a = stops_of(&a, 10000), in_b = stops_of(&b, 10000);
+    mt_ring_samples in_a = samples_of(&a, 10000), in_b = samples_of(&b, 10000);
     mt_alignment alignment = aligned(&a, &in_a, &b, &in_b);
     check_steps(&alignment, in_a.count, in_b.count);
     int corners = 0;
     for (int i = 0; i < alignment.count; i++)
-        corners += in_a.stops[alignment.steps[i].a].corner && in_b.stops[alignment.steps[i].b].corner;
+        corners += in_a.samples[alignment.steps[i].a].corner && in_b.samples[alignment.steps[i].b].corner;
     assert_int_equal(corners, 4);
 }
 
@@ -116,7 +117,7 @@ static void random_rings(void **state) {
         mt_ring b =
             mt_random_polygon(&random, &arena, MT_POLYGON_SPIRAL, mt_random_between(&random, 3, 30), 100000)
                 .rings[0];
-        mt_stops in_a = stops_of(&a, 30000), in_b = stops_of(&b, 30000);
+        mt_ring_samples in_a = samples_of(&a, 30000), in_b = samples_of(&b, 30000);
         mt_alignment alignment = aligned(&a, &in_a, &b, &in_b), back = aligned(&b, &in_b, &a, &in_a);
         check_steps(&alignment, in_a.count, in_b.count);
         check_steps(&back, in_b.count, in_a.count);

@@ -12,7 +12,7 @@
 
 static mt_arena arena;
 static char *directory;
-static const mt_variations still = {0};
+static const mt_gdef_deltas still = {0};
 
 static int set_up(void **state) {
     (void)state;
@@ -175,7 +175,7 @@ typedef struct mt_small {
     mt_layout layout;
 } mt_small;
 
-static mt_small open_small(const char *name, const int16_t (*triangle)[2], const mt_made_lookups *made) {
+static mt_small open_small(const char *name, const int16_t (*triangle)[2], const mt_lookup_builders *made) {
     mt_small small;
     uint8_t *bytes;
     size_t length;
@@ -203,21 +203,21 @@ static mt_anchored fixed(int glyph, int component, int components, double x, dou
                          anchor_of((mt_anchor_point){x, y}, (mt_anchor_point){x, y})};
 }
 
-static void add_lookup(mt_made_lookups *made, int type, const mt_attachment *attachment,
+static void add_lookup(mt_lookup_builders *made, int type, const mt_attachment *attachment,
                        const mt_cursive *cursive) {
     static const mt_member member = {0, MT_TAG('m', 'a', 'r', 'k')};
     mt_places start = at(&(double){0});
     mt_subtables subtables = {0};
     if (attachment) mt_assert_ok(mt_attachment_write(attachment, type, &start, &arena, &subtables));
     if (cursive) mt_assert_ok(mt_cursive_write(cursive, &start, &arena, &subtables));
-    mt_made_lookup lookup = {.order = made->count,
-                             .type = type,
-                             .mark_set = -1,
-                             .member_count = 1,
-                             .members = &member,
-                             .subtable_count = subtables.count,
-                             .subtables = subtables.list};
-    mt_assert_ok(mt_made_add(made, &lookup, &arena));
+    mt_lookup_builder lookup = {.order = made->count,
+                                .type = type,
+                                .mark_set = -1,
+                                .member_count = 1,
+                                .members = &member,
+                                .subtable_count = subtables.count,
+                                .subtables = subtables.list};
+    mt_assert_ok(mt_lookup_builders_add(made, &lookup, &arena));
 }
 
 static mt_anchors blend_small(const mt_small *a, const mt_small *b, const mt_charset *charset) {
@@ -244,7 +244,7 @@ static void the_rest_is_as_in_a_and_moves_with_the_outline(void **state) {
     mt_anchored mark = fixed(3, 0, 1, 50, 0), bases[] = {fixed(1, 0, 1, 300, 750), fixed(2, 0, 1, 250, 500)};
     mt_anchored mark_b = fixed(3, 0, 1, 80, 10), base_b = fixed(2, 0, 1, 200, 600);
     mt_attachment in_a = {1, 2, &mark, bases}, in_b = {1, 1, &mark_b, &base_b};
-    mt_made_lookups made_a = {0}, made_b = {0};
+    mt_lookup_builders made_a = {0}, made_b = {0};
     add_lookup(&made_a, MT_MARK_TO_BASE, &in_a, NULL);
     add_lookup(&made_b, MT_MARK_TO_BASE, &in_b, NULL);
     mt_small a = open_small("a.ttf", wide, &made_a), b = open_small("b.ttf", high, &made_b);
@@ -273,7 +273,7 @@ static void glyphs_that_share_one_of_a_have_their_own(void **state) {
     mt_anchored mark = fixed(3, 0, 1, 0, 0), base = fixed(1, 0, 1, 10, 20);
     mt_anchored bases_b[] = {fixed(1, 0, 1, 30, 40), fixed(2, 0, 1, 50, 60)};
     mt_attachment in_a = {1, 1, &mark, &base}, in_b = {1, 2, &mark, bases_b};
-    mt_made_lookups made_a = {0}, made_b = {0};
+    mt_lookup_builders made_a = {0}, made_b = {0};
     add_lookup(&made_a, MT_MARK_TO_MARK, &in_a, NULL);
     add_lookup(&made_b, MT_MARK_TO_MARK, &in_b, NULL);
     mt_small a = open_small("a.ttf", wide, &made_a), b = open_small("b.ttf", high, &made_b);
@@ -293,7 +293,7 @@ static void the_last_lookup_of_b_decides(void **state) {
     mt_anchored mark = fixed(3, 0, 1, 0, 0), other = fixed(1, 0, 1, 30, 40);
     mt_anchored bases[] = {fixed(1, 0, 1, 10, 20), fixed(2, 0, 1, 5, 6)};
     mt_attachment in_a = {1, 2, &mark, bases}, first = {1, 1, &mark, bases}, last = {1, 1, &mark, &other};
-    mt_made_lookups made_a = {0}, made_b = {0};
+    mt_lookup_builders made_a = {0}, made_b = {0};
     add_lookup(&made_a, MT_MARK_TO_BASE, &in_a, NULL);
     add_lookup(&made_b, MT_MARK_TO_BASE, &first, NULL);
     add_lookup(&made_b, MT_MARK_TO_BASE, &last, NULL);
@@ -311,7 +311,7 @@ static void ligatures_go_by_their_components(void **state) {
     mt_anchored bases_a[] = {fixed(1, 0, 2, 100, 700), fixed(1, 1, 2, 500, 700), fixed(2, 0, 2, 1, 2)};
     mt_anchored bases_b[] = {fixed(1, 1, 2, 400, 600), fixed(2, 0, 3, 3, 4)};
     mt_attachment in_a = {1, 3, &mark, bases_a}, in_b = {1, 2, &mark, bases_b};
-    mt_made_lookups made_a = {0}, made_b = {0};
+    mt_lookup_builders made_a = {0}, made_b = {0};
     add_lookup(&made_a, MT_MARK_TO_LIGATURE, &in_a, NULL);
     add_lookup(&made_b, MT_MARK_TO_LIGATURE, &in_b, NULL);
     mt_small a = open_small("a.ttf", wide, &made_a), b = open_small("b.ttf", wide, &made_b);
@@ -333,7 +333,7 @@ static void cursive_anchors_are_mixed_each(void **state) {
     mt_cursive_glyph in_a[] = {{1, {true, true}, {fixed(0, 0, 1, 600, 0).at, fixed(0, 0, 1, 0, 350).at}}};
     mt_cursive_glyph in_b[] = {{1, {true, false}, {fixed(0, 0, 1, 500, 10).at}}};
     mt_cursive cursive_a = {1, in_a}, cursive_b = {1, in_b};
-    mt_made_lookups made_a = {0}, made_b = {0};
+    mt_lookup_builders made_a = {0}, made_b = {0};
     add_lookup(&made_a, MT_CURSIVE, NULL, &cursive_a);
     add_lookup(&made_b, MT_CURSIVE, NULL, &cursive_b);
     mt_small a = open_small("a.ttf", wide, &made_a), b = open_small("b.ttf", high, &made_b);
@@ -356,7 +356,7 @@ static mt_status blend_without(long failing, const char *paths[2]) {
     mt_layout layouts[2];
     mt_systems systems;
     mt_anchors anchors;
-    mt_made_lookups made = {0};
+    mt_lookup_builders made = {0};
     mt_pairing glyphs[] = {{0, 0, 0, false}, {'A', 1, 1, true}, {'o', 2, 2, true}, {0xE9, 3, 3, true}};
     mt_charset charset = {.glyph_count = 4, .glyphs = glyphs};
     for (int i = 0; i < 2; i++) {
@@ -384,7 +384,7 @@ static void any_allocation_may_fail(void **state) {
     (void)state;
     mt_anchored mark = fixed(3, 0, 1, 50, 0), bases[] = {fixed(1, 0, 1, 300, 750), fixed(2, 0, 1, 250, 500)};
     mt_attachment in_a = {1, 2, &mark, bases}, in_b = {1, 1, &mark, bases + 1};
-    mt_made_lookups made_a = {0}, made_b = {0};
+    mt_lookup_builders made_a = {0}, made_b = {0};
     add_lookup(&made_a, MT_MARK_TO_BASE, &in_a, NULL);
     add_lookup(&made_b, MT_MARK_TO_BASE, &in_b, NULL);
     mt_font_close(open_small("a.ttf", wide, &made_a).font);
@@ -415,7 +415,7 @@ static void blend_tables(mt_font *font, const mt_charset *charset, mt_bytes one,
     mt_layout a, b;
     mt_systems systems;
     mt_anchors anchors;
-    mt_made_lookups made = {0};
+    mt_lookup_builders made = {0};
     mt_assert_ok(mt_layout_open(one, MT_EXTENSION_GPOS, &scratch, &a));
     mt_assert_ok(mt_layout_open(other, MT_EXTENSION_GPOS, &scratch, &b));
     mt_assert_ok(mt_systems_make((const mt_layout *[]){&a, &b}, 2, &scratch, &systems));

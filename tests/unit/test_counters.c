@@ -38,11 +38,11 @@ static const int up[] = {80, 150}, right[] = {150, 80};
 static void the_hole_keeps_in_the_ink(void **state) {
     (void)state;
     mt_morph morph = morph_of(up, right);
-    mt_straying before = mt_test_strays(&arena, &morph);
+    mt_topology_error before = mt_test_topology_error(&arena, &morph);
     assert_true(before.opened > 0 && before.opened == before.parts);
     assert_int_equal(mt_test_mend(&arena, mt_keep_counters, &morph).parts, 0);
-    assert_true(mt_test_aside(&morph, 0) == 0);
-    assert_true(mt_test_aside(&morph, 1) > 15 && mt_test_aside(&morph, 1) < 49);
+    assert_true(mt_test_displacement(&morph, 0) == 0);
+    assert_true(mt_test_displacement(&morph, 1) > 15 && mt_test_displacement(&morph, 1) < 49);
 }
 
 static void the_ends_stay(void **state) {
@@ -57,9 +57,9 @@ static void what_goes_too_far_is_not_mended(void **state) {
     (void)state;
     const int high[] = {50, 350}, far[] = {350, 50};
     mt_morph morph = morph_of(high, far);
-    assert_true(mt_test_strays(&arena, &morph).parts > 0);
+    assert_true(mt_test_topology_error(&arena, &morph).parts > 0);
     assert_true(mt_test_mend(&arena, mt_keep_counters, &morph).parts > 0);
-    assert_true(mt_test_aside(&morph, 0) == 0);
+    assert_true(mt_test_displacement(&morph, 0) == 0);
 }
 
 static void what_keeps_in_the_ink_stays(void **state) {
@@ -67,7 +67,7 @@ static void what_keeps_in_the_ink_stays(void **state) {
     const int low[] = {80, 80};
     mt_morph morph = morph_of(up, low);
     assert_int_equal(mt_test_mend(&arena, mt_keep_counters, &morph).parts, 0);
-    assert_true(mt_test_aside(&morph, 1) == 0);
+    assert_true(mt_test_displacement(&morph, 1) == 0);
 }
 
 int main(void) {

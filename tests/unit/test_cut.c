@@ -17,7 +17,7 @@ typedef struct sheet {
     mt_component component;
     mt_mesh mesh;
     bool *drawn, *cut;
-    int *share_of;
+    int *part_of;
 } sheet;
 
 static sheet sheet_of(const mt_component *component) {
@@ -26,16 +26,16 @@ static sheet sheet_of(const mt_component *component) {
     size_t edges = 3 * (size_t)s.mesh.triangle_count;
     s.drawn = mt_arena_new(&arena, (size_t)s.mesh.vertex_count, sizeof *s.drawn);
     s.cut = mt_arena_new(&arena, edges, sizeof *s.cut);
-    s.share_of = mt_arena_new(&arena, edges, sizeof *s.share_of);
+    s.part_of = mt_arena_new(&arena, edges, sizeof *s.part_of);
     for (int i = 0; i < s.mesh.vertex_count; i++) s.drawn[i] = true;
     return s;
 }
 
-static mt_shape shares_of(sheet *s) {
+static mt_shape parts_of(sheet *s) {
     mt_stencil stencil = {&s->mesh, s->drawn, s->cut};
-    mt_shape shares;
-    mt_assert_ok(mt_cut(&stencil, &arena, &shares, s->share_of));
-    return shares;
+    mt_shape parts;
+    mt_assert_ok(mt_cut(&stencil, &arena, &parts, s->part_of));
+    return parts;
 }
 
 static int end_of(const mt_mesh *mesh, int e) {
@@ -89,17 +89,17 @@ static void without_cuts(void **state) {
     (void)state;
     mt_component whole = frame();
     sheet s = sheet_of(&whole);
-    mt_shape shares = shares_of(&s);
-    assert_int_equal(shares.count, 1);
-    assert_int_equal(shares.components[0].count, 2);
+    mt_shape parts = parts_of(&s);
+    assert_int_equal(parts.count, 1);
+    assert_int_equal(parts.components[0].count, 2);
     for (int r = 0; r < 2; r++) {
-        assert_int_equal(shares.components[0].rings[r].count, 4);
+        assert_int_equal(parts.components[0].rings[r].count, 4);
         for (int i = 0; i < 4; i++)
             assert_int_equal(
-                count_of(&shares.components[0].rings[r], whole.rings[r].points[i], whole.rings[r].marks[i]),
+                count_of(&parts.components[0].rings[r], whole.rings[r].points[i], whole.rings[r].marks[i]),
                 1);
     }
-    for (int t = 0; t < s.mesh.triangle_count; t++) assert_int_equal(s.share_of[t], 0);
+    for (int t = 0; t < s.mesh.triangle_count; t++) assert_int_equal(s.part_of[t], 0);
 }
 
 /* From the hole to the outer ring: one ring, which runs along the cut to and fro. */
@@ -109,10 +109,10 @@ static void from_ring_to_ring(void **state) {
     whole.rings[0].marks[0] = whole.rings[1].marks[0] = MT_CHORD;
     sheet s = sheet_of(&whole);
     cut_between(&s, 0, 4);
-    mt_shape shares = shares_of(&s);
-    assert_int_equal(shares.count, 1);
-    assert_int_equal(shares.components[0].count, 1);
-    const mt_ring *ring = &shares.components[0].rings[0];
+    mt_shape parts = parts_of(&s);
+    assert_int_equal(parts.count, 1);
+    assert_int_equal(parts.components[0].count, 1);
+    const mt_ring *ring = &parts.components[0].rings[0];
     assert_int_equal(ring->count, 10);
     assert_true(mt_ring_area2(ring) == mt_component_area2(&whole));
     const mt_point ends[] = {{0, 0}, {20000, 20000}};
@@ -130,12 +130,12 @@ static void twice_from_ring_to_ring(void **state) {
     sheet s = sheet_of(&whole);
     cut_between(&s, 0, 4);
     cut_between(&s, 2, 6);
-    mt_shape shares = shares_of(&s);
-    assert_int_equal(shares.count, 2);
+    mt_shape parts = parts_of(&s);
+    assert_int_equal(parts.count, 2);
     for (int i = 0; i < 2; i++) {
-        assert_int_equal(shares.components[i].count, 1);
-        assert_int_equal(shares.components[i].rings[0].count, 6);
-        assert_true(2 * mt_component_area2(&shares.components[i]) == mt_component_area2(&whole));
+        assert_int_equal(parts.components[i].count, 1);
+        assert_int_equal(parts.components[i].rings[0].count, 6);
+        assert_true(2 * mt_component_area2(&parts.components[i]) == mt_component_area2(&whole));
     }
 }
 
@@ -145,11 +145,11 @@ static void from_a_ring_to_itself(void **state) {
     mt_component whole = bar();
     sheet s = sheet_of(&whole);
     cut_between(&s, 1, 4);
-    mt_shape shares = shares_of(&s);
-    assert_int_equal(shares.count, 2);
+    mt_shape parts = parts_of(&s);
+    assert_int_equal(parts.count, 2);
     for (int i = 0; i < 2; i++) {
-        assert_int_equal(shares.components[i].count, 1);
-        const mt_ring *ring = &shares.components[i].rings[0];
+        assert_int_equal(parts.components[i].count, 1);
+        const mt_ring *ring = &parts.components[i].rings[0];
         assert_int_equal(ring->count, 4);
         assert_true(mt_ring_area2(ring) == 2 * 50000LL * 20000);
         assert_int_equal(count_of(ring, (mt_point){50000, 0}, MT_CORNER), 1);
@@ -167,13 +167,13 @@ static void undrawn_vertices_are_dropped(void **state) {
     mt_component whole = bar();
     sheet s = sheet_of(&whole);
     s.drawn[1] = s.drawn[4] = false;
-    mt_shape uncut = shares_of(&s);
+    mt_shape uncut = parts_of(&s);
     assert_int_equal(uncut.count, 1);
     assert_int_equal(uncut.components[0].rings[0].count, 4);
     assert_int_equal(count_of(&uncut.components[0].rings[0], (mt_point){50000, 0}, 0), 0);
     cut_between(&s, 1, 4);
     s.drawn[0] = false; /* and a corner of the drawing, were it not one */
-    mt_shape parted = shares_of(&s);
+    mt_shape parted = parts_of(&s);
     assert_int_equal(parted.count, 2);
     int first = mt_ring_box(&parted.components[0].rings[0]).max.x > 50000;
     assert_int_equal(parted.components[first].rings[0].count, 3);
@@ -196,17 +196,17 @@ static mt_spot thirds(const mt_mesh *mesh, int t) {
     return sum;
 }
 
-/* A share has the area of its triangles, exactly, and lies where they lie; its outer ring alone runs anticlockwise. */
-static void check_share(const sheet *s, const mt_component *share, int number, const mt_subject *subject) {
+/* A part has the area of its triangles, exactly, and lies where they lie; its outer ring alone runs anticlockwise. */
+static void check_part(const sheet *s, const mt_component *part, int number, const mt_subject *subject) {
     int64_t area = 0;
     for (int t = 0; t < s->mesh.triangle_count; t++) {
-        area += s->share_of[t] == number ? triangle_area2(&s->mesh, t) : 0;
-        int winding = mt_oracle_winding(share, 3, thirds(&s->mesh, t));
-        mt_require(winding == (s->share_of[t] == number), subject);
+        area += s->part_of[t] == number ? triangle_area2(&s->mesh, t) : 0;
+        int winding = mt_oracle_winding(part, 3, thirds(&s->mesh, t));
+        mt_require(winding == (s->part_of[t] == number), subject);
     }
-    mt_require(area > 0 && mt_oracle_area2(share) == area, subject);
-    for (int r = 0; r < share->count; r++)
-        mt_require((mt_ring_area2(&share->rings[r]) > 0) == (r == 0), subject);
+    mt_require(area > 0 && mt_oracle_area2(part) == area, subject);
+    for (int r = 0; r < part->count; r++)
+        mt_require((mt_ring_area2(&part->rings[r]) > 0) == (r == 0), subject);
 }
 
 static void random_cuts(void **state) {
@@ -221,9 +221,9 @@ static void random_cuts(void **state) {
         int one_in = mt_random_between(&random, 1, 8);
         for (int e = 0; e < 3 * s.mesh.triangle_count; e++)
             if (s.mesh.twin[e] > e && mt_random_one_in(&random, one_in)) cut_edge(&s, e);
-        mt_shape shares = shares_of(&s);
-        for (int i = 0; i < shares.count; i++) check_share(&s, &shares.components[i], i, &subject);
-        mt_require(mt_oracle_shape_area2(&shares) == mt_oracle_area2(&whole), &subject);
+        mt_shape parts = parts_of(&s);
+        for (int i = 0; i < parts.count; i++) check_part(&s, &parts.components[i], i, &subject);
+        mt_require(mt_oracle_shape_area2(&parts) == mt_oracle_area2(&whole), &subject);
         mt_arena_reset(&arena);
     }
 }

@@ -164,22 +164,22 @@ static void costs_are_bounded(void **state) {
     mt_shared_system list[LANGUAGES];
     mt_systems systems = {LANGUAGES, list};
     mt_bytes subtables[SUBTABLES], gpos, none = {0};
-    mt_made_lookups made = {0};
+    mt_lookup_builders made = {0};
     for (int i = 0; i < LANGUAGES; i++)
         list[i] = (mt_shared_system){
             MT_TAG('l', 'a', 't', 'n'), i ? MT_TAG('A', 'A', 'A', 'A') + (uint32_t)i : 0, {0}};
     for (int i = 0; i < SUBTABLES; i++) subtables[i] = all_pairs();
     for (int i = 0; i < LOOKUPS; i++) {
         mt_member *members = mt_arena_new(&arena, LANGUAGES, sizeof *members);
-        mt_made_lookup lookup = {.type = 2,
-                                 .mark_set = -1,
-                                 .members = members,
-                                 .subtable_count = SUBTABLES,
-                                 .subtables = subtables};
+        mt_lookup_builder lookup = {.type = 2,
+                                    .mark_set = -1,
+                                    .members = members,
+                                    .subtable_count = SUBTABLES,
+                                    .subtables = subtables};
         assert_non_null(members);
         for (int s = 0; s < LANGUAGES; s++)
             if (next_random(2)) members[lookup.member_count++] = (mt_member){s, MT_TAG('k', 'e', 'r', 'n')};
-        mt_assert_ok(mt_made_add(&made, &lookup, &arena));
+        mt_assert_ok(mt_lookup_builders_add(&made, &lookup, &arena));
     }
     mt_assert_ok(mt_gpos_write(&systems, &made, &arena, &gpos));
     mt_font *plain = open_with("plain.ttf", 0, none);

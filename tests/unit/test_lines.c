@@ -12,8 +12,8 @@ static mt_segment curve_to(int cx, int cy, int x, int y) {
     return (mt_segment){.degree = 2, .control = {{cx * UNIT, cy * UNIT}}, .end = {x * UNIT, y * UNIT}};
 }
 
-static mt_masters masters_of(mt_segment *a, mt_segment *b, int count) {
-    return (mt_masters){.a = {count, a}, .b = {count, b}};
+static mt_contour_pair masters_of(mt_segment *a, mt_segment *b, int count) {
+    return (mt_contour_pair){.a = {count, a}, .b = {count, b}};
 }
 
 /* A node in the middle of a side of both squares goes, with its step; one that is a corner of either stays. */
@@ -24,8 +24,8 @@ static void one_line_in_several(void **state) {
     mt_segment b[] = {line_to(0, 0),    line_to(80, 0),    line_to(100, 0),
                       line_to(120, 40), line_to(100, 100), line_to(0, 100)};
     int steps[] = {3, 5, 8, 9, 12, 20};
-    mt_masters m = masters_of(a, b, SEGMENTS);
-    mt_masters_tidy_lines(&m, steps, UNIT / 10);
+    mt_contour_pair m = masters_of(a, b, SEGMENTS);
+    mt_contour_pair_tidy_lines(&m, steps, UNIT / 10);
     assert_int_equal(m.a.count, SEGMENTS - 1);
     assert_int_equal(m.b.count, SEGMENTS - 1);
     assert_true(mt_point_equal(m.a.segments[1].end, line_to(100, 0).end));
@@ -40,8 +40,8 @@ static void nothing_in_both(void **state) {
         mt_segment a[] = {line_to(0, 0), line_to(100, 0), line_to(100, 0), line_to(0, 100)};
         mt_segment b[] = {line_to(0, 0), line_to(90, 0), line_to(90, 10 * moves), line_to(0, 70)};
         int steps[] = {0, 1, 2, 3};
-        mt_masters m = masters_of(a, b, 4);
-        mt_masters_tidy_lines(&m, steps, UNIT / 10);
+        mt_contour_pair m = masters_of(a, b, 4);
+        mt_contour_pair_tidy_lines(&m, steps, UNIT / 10);
         assert_int_equal(m.a.count, 3 + moves);
         assert_true(mt_point_equal(m.a.segments[1].end, line_to(100, 0).end));
         assert_true(mt_point_equal(m.b.segments[m.b.count - 1].end, line_to(0, 70).end));
@@ -57,8 +57,8 @@ static void short_lines_bend(void **state) {
         mt_segment b[] = {line_to(0, 0), curve_to(50, 0, 100, 50), line_to(100 + length, 50 + length),
                           curve_to(200, 150, 0, 200)};
         int steps[] = {0, 1, 2, 3};
-        mt_masters m = masters_of(a, b, 4);
-        mt_masters_tidy_lines(&m, steps, UNIT / 10);
+        mt_contour_pair m = masters_of(a, b, 4);
+        mt_contour_pair_tidy_lines(&m, steps, UNIT / 10);
         assert_int_equal(m.a.count, 4);
         assert_int_equal(m.a.segments[2].degree, length < 10 ? 2 : 1);
         assert_int_equal(m.b.segments[2].degree, m.a.segments[2].degree);

@@ -29,7 +29,7 @@ static mt_morph coming_apart(void) {
     mt_ring in_a[] = {mt_test_square(&arena, 0, 0), mt_test_square(&arena, 50, 60)},
             in_b[] = {mt_test_square(&arena, 0, 0), mt_test_square(&arena, 60, 50)};
     mt_morph morph = mt_test_morph_of(&arena, in_a, in_b, 2);
-    morph.contours[1].aside = (mt_point){55 * UNIT, 55 * UNIT};
+    morph.contours[1].displacement = (mt_point){55 * UNIT, 55 * UNIT};
     return morph;
 }
 
@@ -76,15 +76,15 @@ static void without_effort_nothing_changes(void **state) {
     mt_mending m = mending_of(&morph, 1);
     int before = m.by.parts;
     assert_false(mt_mend_goes_on(&m));
-    mt_assert_ok(mt_draw_together(&m));
+    mt_assert_ok(mt_reconnect_parts(&m));
     assert_int_equal(m.by.parts, before);
-    assert_int_equal(morph.contours[0].aside.x, 0);
-    assert_int_equal(morph.contours[1].aside.x, 55 * UNIT);
+    assert_int_equal(morph.contours[0].displacement.x, 0);
+    assert_int_equal(morph.contours[1].displacement.x, 55 * UNIT);
 }
 
 static struct {
     int count;
-    double places[MT_CENSUS_STEPS];
+    double places[MT_TOPOLOGY_STEPS];
 } visits;
 
 static mt_status visit(mt_mending *m, const void *stage, double t, bool *closed) {

@@ -342,7 +342,7 @@ static void contours_of_an_o(void **state) {
     assert_int_equal(morph.contour_count, 2);
     assert_int_equal(morph.links.count, 0);
     for (int i = 0; i < 2; i++) {
-        const mt_masters *masters = &morph.contours[i];
+        const mt_contour_pair *masters = &morph.contours[i];
         assert_int_equal(masters->a.count, masters->b.count);
         for (int k = 0; k < masters->a.count; k++)
             assert_int_equal(masters->a.segments[k].degree, masters->b.segments[k].degree);

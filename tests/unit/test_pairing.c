@@ -7,10 +7,10 @@
 
 enum { UNIT = MT_EM / 1000, CHORD = MT_EM / 2000, MOST = 8 };
 
-#define ANY 1e9 /* a price that nothing costs */
+#define ANY 1e9 /* a cost that nothing costs */
 
 static mt_arena arena;
-static const mt_manner manner = {.chord = CHORD, .align = {3, 4, 1}};
+static const mt_settings settings = {.flatness = CHORD, .align = {3, 4, 1}};
 
 static int tear_down(void **state) {
     (void)state;
@@ -38,8 +38,8 @@ static mt_ring_list list_of(mt_ring *rings, int count, mt_box box) {
 static void pair(const mt_ring_list *a, const mt_ring_list *b, double most, int *in_a, int *in_b) {
     int back_b[MOST], back_a[MOST];
     for (int i = 0; i < MOST; i++) in_a[i] = in_b[i] = back_a[i] = back_b[i] = -1;
-    mt_assert_ok(mt_pair_rings(a, b, most, &manner, &arena, in_a, in_b));
-    mt_assert_ok(mt_pair_rings(b, a, most, &manner, &arena, back_b, back_a));
+    mt_assert_ok(mt_pair_rings(a, b, most, &settings, &arena, in_a, in_b));
+    mt_assert_ok(mt_pair_rings(b, a, most, &settings, &arena, back_b, back_a));
     for (int i = 0; i < a->count; i++) {
         assert_in_range(in_a[i] + 1, 0, b->count);
         if (in_a[i] >= 0) assert_int_equal(in_b[in_a[i]], i);
@@ -51,10 +51,10 @@ static void pair(const mt_ring_list *a, const mt_ring_list *b, double most, int 
     }
 }
 
-static double price_of(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q) {
-    double price = -1;
-    mt_assert_ok(mt_pair_price(p, box_p, q, box_q, &manner, &arena, &price));
-    return price;
+static double cost_of(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q) {
+    double cost = -1;
+    mt_assert_ok(mt_pair_cost(p, box_p, q, box_q, &settings, &arena, &cost));
+    return cost;
 }
 
 /* Four strokes of 王, all permutations of them, a little moved and thinner on the other side. */
@@ -91,7 +91,7 @@ static void boxes_are_taken_into_account(void **state) {
     pair(&in_a, &in_b, ANY, partner_a, partner_b);
     assert_int_equal(partner_a[0], 1);
     assert_int_equal(partner_a[1], 0);
-    assert_true(price_of(&a[0], in_a.box, &b[1], in_b.box) < 1e-6);
+    assert_true(cost_of(&a[0], in_a.box, &b[1], in_b.box) < 1e-6);
 }
 
 /* A dot above and the same dot below are not paired, though they are all that there is. */
@@ -124,21 +124,21 @@ static void dear_pairs_are_left(void **state) {
     mt_ring p = block(0, 0, 200, 900), q = block(100, 0, 200, 700);
     mt_box box = glyph_box(1000, 900);
     mt_ring_list a = list_of(&p, 1, box), b = list_of(&q, 1, box);
-    double price = price_of(&p, box, &q, box);
+    double cost = cost_of(&p, box, &q, box);
     int partner_a[MOST], partner_b[MOST];
-    pair(&a, &b, 1.01 * price, partner_a, partner_b);
+    pair(&a, &b, 1.01 * cost, partner_a, partner_b);
     assert_int_equal(partner_a[0], 0);
-    pair(&a, &b, 0.99 * price, partner_a, partner_b);
+    pair(&a, &b, 0.99 * cost, partner_a, partner_b);
     assert_int_equal(partner_a[0], -1);
 }
 
-/* What is paired before stays so, however dear; only the others are looked at. */
+/* What is paired before stays so, however costly; only the others are looked at. */
 static void given_pairs_are_kept(void **state) {
     (void)state;
     mt_ring a[3] = {block(0, 0, 200, 900), block(400, 0, 200, 900), block(800, 0, 200, 900)};
     mt_ring_list list = list_of(a, 3, glyph_box(1000, 900));
     int partner_a[] = {-1, -1, 0}, partner_b[] = {2, -1, -1};
-    mt_assert_ok(mt_pair_rings(&list, &list, 0.1, &manner, &arena, partner_a, partner_b));
+    mt_assert_ok(mt_pair_rings(&list, &list, 0.1, &settings, &arena, partner_a, partner_b));
     assert_true(partner_a[0] == -1 && partner_a[1] == 1 && partner_a[2] == 0);
     assert_true(partner_b[0] == 2 && partner_b[1] == 1 && partner_b[2] == -1);
 }
@@ -153,19 +153,19 @@ static void nothing_to_pair(void **state) {
     pair(&none, &none, ANY, partner_a, partner_b);
 }
 
-/* The price: none for a ring with itself, the same both ways, more the further apart. */
-static void prices(void **state) {
+/* The cost: none for a ring with itself, the same both ways, more the further apart. */
+static void costs(void **state) {
     (void)state;
     mt_box box = glyph_box(1000, 900);
     double last = 0;
     mt_ring still = block(100, 100, 200, 300);
-    assert_true(price_of(&still, box, &still, box) < 1e-6);
+    assert_true(cost_of(&still, box, &still, box) < 1e-6);
     for (int by = 50; by <= 600; by += 50) {
         mt_ring moved = block(100 + by, 100, 200, 300);
-        double price = price_of(&still, box, &moved, box);
-        assert_true(price > last);
-        assert_true(fabs(price - price_of(&moved, box, &still, box)) < 1e-6);
-        last = price;
+        double cost = cost_of(&still, box, &moved, box);
+        assert_true(cost > last);
+        assert_true(fabs(cost - cost_of(&moved, box, &still, box)) < 1e-6);
+        last = cost;
     }
 }
 
@@ -174,7 +174,7 @@ int main(void) {
         cmocka_unit_test(permuted_rings_are_found), cmocka_unit_test(boxes_are_taken_into_account),
         cmocka_unit_test(far_rings_are_not_paired), cmocka_unit_test(the_cheapest_pair_comes_first),
         cmocka_unit_test(dear_pairs_are_left),      cmocka_unit_test(given_pairs_are_kept),
-        cmocka_unit_test(nothing_to_pair),          cmocka_unit_test(prices),
+        cmocka_unit_test(nothing_to_pair),          cmocka_unit_test(costs),
     };
     return cmocka_run_group_tests(tests, NULL, tear_down);
 }

@@ -32,36 +32,36 @@ static void reconcile(mt_shape a, mt_shape b, mt_cut_side *cut_a, mt_cut_side *c
     mt_side in_a = side_of(a), in_b = side_of(b);
     const mt_hints none = {0};
     mt_params params = mt_params_default();
-    mt_manner manner = mt_manner_at(0, &params);
-    mt_assert_ok(mt_reconcile(&in_a, &in_b, &none, &manner, &arena, cut_a, cut_b));
+    mt_settings settings = mt_settings_at(0, &params);
+    mt_assert_ok(mt_reconcile(&in_a, &in_b, &none, &settings, &arena, cut_a, cut_b));
 }
 
-/* Partners are mutual; shares are components, outer ring first. */
+/* Partners are mutual; parts are components, outer ring first. */
 static void check_partners(const mt_cut_side *cut, const mt_cut_side *other) {
-    for (int i = 0; i < cut->shares.count; i++) {
-        assert_in_range(cut->partner[i] + 1, 0, other->shares.count);
+    for (int i = 0; i < cut->parts.count; i++) {
+        assert_in_range(cut->partner[i] + 1, 0, other->parts.count);
         if (cut->partner[i] >= 0) assert_int_equal(other->partner[cut->partner[i]], i);
-        for (int r = 0; r < cut->shares.components[i].count; r++)
-            assert_true((mt_ring_area2(&cut->shares.components[i].rings[r]) > 0) == (r == 0));
+        for (int r = 0; r < cut->parts.components[i].count; r++)
+            assert_true((mt_ring_area2(&cut->parts.components[i].rings[r]) > 0) == (r == 0));
     }
 }
 
-/* As many shares on both sides, each with a partner, and the ink that was drawn, to the unit. */
+/* As many parts on both sides, each with a partner, and the ink that was drawn, to the unit. */
 static void check_agreement(const mt_cut_side *cut, const mt_cut_side *other, const mt_shape *drawn,
-                            int shares) {
+                            int parts) {
     check_partners(cut, other);
-    assert_int_equal(cut->shares.count, shares);
-    for (int i = 0; i < shares; i++) assert_true(cut->partner[i] >= 0);
-    assert_true(mt_oracle_shape_area2(&cut->shares) == mt_oracle_shape_area2(drawn));
+    assert_int_equal(cut->parts.count, parts);
+    for (int i = 0; i < parts; i++) assert_true(cut->partner[i] >= 0);
+    assert_true(mt_oracle_shape_area2(&cut->parts) == mt_oracle_shape_area2(drawn));
 }
 
 /* Both ways round, which has to come to the same. */
-static void check_both_ways(mt_shape a, mt_shape b, int shares) {
+static void check_both_ways(mt_shape a, mt_shape b, int parts) {
     for (int i = 0; i < 2; i++) {
         mt_cut_side cut_a, cut_b;
         reconcile(i ? b : a, i ? a : b, &cut_a, &cut_b);
-        check_agreement(&cut_a, &cut_b, i ? &b : &a, shares);
-        check_agreement(&cut_b, &cut_a, i ? &a : &b, shares);
+        check_agreement(&cut_a, &cut_b, i ? &b : &a, parts);
+        check_agreement(&cut_b, &cut_a, i ? &a : &b, parts);
     }
 }
 
@@ -111,7 +111,7 @@ static void an_h_and_its_stems(void **state) {
     for (int gap = 20; gap <= 80; gap += 20) check_both_ways(stems(gap), an_h(gap), 2);
 }
 
-/* The H is cut across its crossbar: each share has one stem in it, and at most the crossbar more. */
+/* The H is cut across its crossbar: each part has one stem in it, and at most the crossbar more. */
 static void the_crossbar_is_cut(void **state) {
     (void)state;
     mt_cut_side a, b;
@@ -120,16 +120,16 @@ static void the_crossbar_is_cut(void **state) {
     check_agreement(&b, &a, &joined, 2);
     for (int i = 0; i < 2; i++) {
         int64_t more =
-            mt_component_area2(&b.shares.components[a.partner[i]]) - mt_component_area2(&apart.components[i]);
+            mt_component_area2(&b.parts.components[a.partner[i]]) - mt_component_area2(&apart.components[i]);
         assert_true(more >= 0 && more <= 2LL * 60 * UNIT * 40 * UNIT);
         mt_box stem = mt_ring_box(&apart.components[i].rings[0]),
-               share = mt_ring_box(&b.shares.components[a.partner[i]].rings[0]);
-        assert_true(share.min.y == stem.min.y && share.max.y == stem.max.y);
-        assert_true(share.min.x <= stem.min.x && share.max.x >= stem.max.x);
+               part = mt_ring_box(&b.parts.components[a.partner[i]].rings[0]);
+        assert_true(part.min.y == stem.min.y && part.max.y == stem.max.y);
+        assert_true(part.min.x <= stem.min.x && part.max.x >= stem.max.x);
     }
 }
 
-/* Bridges at both ends of a crossbar are taken for one cut, as long as it is not too wide. */
+/* Chords at both ends of a crossbar are taken for one cut, as long as it is not too wide. */
 static void a_wide_h_and_its_stems(void **state) {
     (void)state;
     mt_cut_side a, b;
@@ -140,7 +140,7 @@ static void a_wide_h_and_its_stems(void **state) {
     assert_true(a.partner[0] >= 0 && a.partner[1] >= 0);
 }
 
-/* Three bars one above the other, the lower two joined in the one, the upper two in the other: walkers of what is joined leap
+/* Three bars one above the other, the lower two joined in the one, the upper two in the other: matchers of what is joined jump
  * over the white. */
 static void joined_otherwise(void **state) {
     (void)state;
@@ -179,7 +179,7 @@ static void what_only_one_side_has(void **state) {
     mt_cut_side a, b;
     reconcile(more, less, &a, &b);
     check_partners(&a, &b);
-    assert_true(a.shares.count == 3 && b.shares.count == 2);
+    assert_true(a.parts.count == 3 && b.parts.count == 2);
     assert_true(a.partner[0] == 0 && a.partner[1] == -1 && a.partner[2] == 1);
 }
 
@@ -195,7 +195,7 @@ static void random_shapes(void **state) {
         reconcile(shapes[0], shapes[1], &cut[0], &cut[1]);
         for (int i = 0; i < 2; i++) {
             check_partners(&cut[i], &cut[1 - i]);
-            double off = (double)(mt_oracle_shape_area2(&cut[i].shares) - mt_oracle_shape_area2(&shapes[i]));
+            double off = (double)(mt_oracle_shape_area2(&cut[i].parts) - mt_oracle_shape_area2(&shapes[i]));
             assert_true(fabs(off) <= sqrt(0.5) * mt_oracle_shape_length(&shapes[i]));
         }
         mt_arena_rewind(&arena, place);

@@ -65,7 +65,7 @@ static bool has(const mt_links *links, int a, int b) {
 
 static mt_links matched(const double *s, int rows, int columns) {
     mt_links links;
-    mt_assert_ok(mt_match(s, rows, columns, 10, 0.3, &arena, &links));
+    mt_assert_ok(mt_match_components(s, rows, columns, 10, 0.3, &arena, &links));
     return links;
 }
 
@@ -115,7 +115,7 @@ static void matches_of_random_matrices(void **state) {
         memcpy(before, s, sizeof s[0] * (size_t)(rows * columns));
         int rounds = mt_random_between(&random, 0, 20);
         mt_links links, back;
-        mt_assert_ok(mt_match(s, rows, columns, rounds, 0.3, &arena, &links));
+        mt_assert_ok(mt_match_components(s, rows, columns, rounds, 0.3, &arena, &links));
         assert_memory_equal(before, s, sizeof s[0] * (size_t)(rows * columns));
         bool row[MOST] = {false}, column[MOST] = {false};
         for (int i = 0; i < links.count; i++) {
@@ -125,7 +125,7 @@ static void matches_of_random_matrices(void **state) {
         }
         for (int i = 0; i < rows; i++) assert_true(row[i]);
         for (int j = 0; j < columns; j++) assert_true(column[j]);
-        mt_assert_ok(mt_match(turned, columns, rows, rounds, 0.3, &arena, &back));
+        mt_assert_ok(mt_match_components(turned, columns, rows, rounds, 0.3, &arena, &back));
         assert_int_equal(back.count, links.count);
         for (int i = 0; i < links.count; i++) assert_true(has(&back, links.links[i].b, links.links[i].a));
         mt_arena_reset(&arena);

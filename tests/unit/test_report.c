@@ -53,18 +53,18 @@ static mt_report_glyph measured(mt_shape a, mt_shape b, mt_method method) {
 static void parts_and_crumbs_are_told_apart(void **state) {
     (void)state;
     mt_shape large = frame(100, 50), small_hole = frame(100, 4), small = frame(4, 0), least = frame(5, 0);
-    mt_census ink = mt_census_of(&large);
+    mt_topology ink = mt_topology_of(&large);
     assert_int_equal(ink.components, 1);
     assert_int_equal(ink.holes, 1);
     assert_int_equal(ink.crumbs, 0);
     assert_true(fabs(ink.area - 0.0075) < 1e-12);
-    ink = mt_census_of(&small_hole);
+    ink = mt_topology_of(&small_hole);
     assert_int_equal(ink.holes, 0);
     assert_int_equal(ink.crumbs, 1);
-    ink = mt_census_of(&small); /* 16 square thousandths */
+    ink = mt_topology_of(&small); /* 16 square thousandths */
     assert_int_equal(ink.components, 0);
     assert_int_equal(ink.crumbs, 1);
-    ink = mt_census_of(&least); /* 25 */
+    ink = mt_topology_of(&least); /* 25 */
     assert_int_equal(ink.components, 1);
     assert_int_equal(ink.crumbs, 0);
 }
@@ -76,7 +76,7 @@ static void seams_are_nothing(void **state) {
     seam.rings[0] = rectangle(0, 0, 60, 1, false);
     for (int i = 2; i < 4; i++) seam.rings[0].points[i].y = MT_SEAM_WIDTH / 4;
     mt_shape shape = mt_test_shape_of(&arena, &seam);
-    mt_census ink = mt_census_of(&shape);
+    mt_topology ink = mt_topology_of(&shape);
     assert_int_equal(ink.components + ink.holes + ink.crumbs, 0);
 }
 
@@ -183,7 +183,7 @@ static void blanks_are_well(void **state) {
 
 /* Nothing to complain of: one component, one hole, 0.1 em², 40 points, 20 corners of which 4 are slight. */
 static mt_report_glyph sound(void) {
-    mt_census ink = {1, 1, 0, 0.1};
+    mt_topology ink = {1, 1, 0, 0.1};
     mt_report_drawing drawing = {40, 20, 4};
     mt_report_glyph glyph = {
         .ink_a = ink, .ink_b = ink, .drawing_a = drawing, .drawing_b = drawing, .drawing_half = drawing};

@@ -11,7 +11,7 @@
 enum { UNIT = MT_EM / 1000, CHORD = MT_EM / 2000 };
 
 static mt_arena arena;
-static const mt_manner manner = {.chord = CHORD, .align = {3, 4, 1}, .step = 12, .leaps = true};
+static const mt_settings settings = {.flatness = CHORD, .align = {3, 4, 1}, .step = 12, .jumps = true};
 
 static int tear_down(void **state) {
     (void)state;
@@ -50,7 +50,7 @@ static mt_status slit(const mt_component *component, const mt_ring **counterpart
                       bool *done) {
     mt_box box = {{0, 0}, {600 * UNIT, 600 * UNIT}};
     mt_slit_case in = {component, box, counterpart, box};
-    return mt_slit(&in, 1, &manner, &arena, opened, done);
+    return mt_slit(&in, 1, &settings, &arena, opened, done);
 }
 
 /* The middle of the slit: the points that a ring has twice. */
@@ -142,7 +142,7 @@ static void not_through_wide_ink(void **state) {
     const mt_ring *counterpart[] = {&open, NULL};
     mt_slit_case in = {&component, box, counterpart, box};
     bool done = true;
-    mt_assert_ok(mt_slit(&in, 1, &manner, &arena, &opened, &done));
+    mt_assert_ok(mt_slit(&in, 1, &settings, &arena, &opened, &done));
     assert_false(done);
 }
 
@@ -187,7 +187,7 @@ static mt_component slit_open(mt_random *random) {
     return opened;
 }
 
-/* Both sides of a slit have their stops at the same places: put together again without a cut, the border is the component that it
+/* Both sides of a slit have their samples at the same places: put together again without a cut, the boundary is the component that it
  * was made of, and nothing lies between the two sides. */
 static void both_sides_of_a_slit_are_alike(void **state) {
     (void)state;
@@ -196,13 +196,14 @@ static void both_sides_of_a_slit_are_alike(void **state) {
         mt_component component = slit_open(&random);
         mt_subject subject = {"both_sides_of_a_slit_are_alike", n, {&component}};
         mt_shape whole = mt_test_shape_of(&arena, &component), shares;
-        mt_border border;
-        mt_require(mt_border_of(&whole, mt_shape_box(&whole), &manner, 300 * UNIT, &arena, &border) == MT_OK,
+        mt_boundary boundary;
+        mt_require(mt_boundary_of(&whole, mt_shape_box(&whole), &settings, 300 * UNIT, &arena, &boundary) ==
+                       MT_OK,
                    &subject);
-        size_t triangles = (size_t)border.meshes[0].triangle_count;
+        size_t triangles = (size_t)boundary.meshes[0].triangle_count;
         bool *cut = mt_arena_new(&arena, 3 * triangles, sizeof *cut);
         int *share_of = mt_arena_new(&arena, triangles, sizeof *share_of);
-        mt_stencil uncut = {&border.meshes[0], border.drawn[0], cut};
+        mt_stencil uncut = {&boundary.meshes[0], boundary.drawn[0], cut};
         mt_assert_ok(mt_cut(&uncut, &arena, &shares, share_of));
         mt_require(shares.count == 1 && shares.components[0].count == 1, &subject);
         mt_require(shares.components[0].rings[0].count == 9, &subject);

@@ -43,9 +43,9 @@ static mt_contour leaning(int share, mt_segment segments[SEGMENTS]) {
 }
 
 /* How the mix of both turns at node 1, degrees. */
-static double turn_between(const mt_masters *masters, double t) {
+static double turn_between(const mt_contour_pair *masters, double t) {
     mt_contour c;
-    mt_assert_ok(mt_masters_mix(masters, mt_weights_at(t), &arena, &c));
+    mt_assert_ok(mt_contour_pair_mix(masters, mt_weights_at(t), &arena, &c));
     mt_point before = c.segments[0].end, at = c.segments[1].end, after = c.segments[2].control[0];
     double ax = (double)at.x - before.x, ay = (double)at.y - before.y, bx = (double)after.x - at.x,
            by = (double)after.y - at.y;
@@ -56,9 +56,9 @@ static void a_node_on_a_line_follows_the_curve(void **state) {
     (void)state;
     for (int share = 10; share <= 130; share += 40) {
         mt_segment in_a[SEGMENTS], in_b[SEGMENTS];
-        mt_masters masters = {.a = bracketed(400, in_a), .b = leaning(share, in_b)};
+        mt_contour_pair masters = {.a = bracketed(400, in_a), .b = leaning(share, in_b)};
         double before = turn_between(&masters, 0.5);
-        mt_assert_ok(mt_masters_smooth(&masters, UNIT, &arena));
+        mt_assert_ok(mt_contour_pair_smooth(&masters, UNIT, &arena));
         assert_true(before > 0.5);
         for (int k = 1; k < 8; k++) assert_true(turn_between(&masters, k / 8.0) < 0.05);
         for (int i = 0; i < SEGMENTS; i++) /* A, which is bent there, has nothing to gain */
@@ -72,10 +72,10 @@ static void a_node_on_a_line_follows_the_curve(void **state) {
 static void either_way_round(void **state) {
     (void)state;
     mt_segment p[SEGMENTS], q[SEGMENTS], r[SEGMENTS], s[SEGMENTS];
-    mt_masters one = {.a = bracketed(350, p), .b = leaning(40, q)},
-               other = {.a = leaning(40, r), .b = bracketed(350, s)};
-    mt_assert_ok(mt_masters_smooth(&one, UNIT, &arena));
-    mt_assert_ok(mt_masters_smooth(&other, UNIT, &arena));
+    mt_contour_pair one = {.a = bracketed(350, p), .b = leaning(40, q)},
+                    other = {.a = leaning(40, r), .b = bracketed(350, s)};
+    mt_assert_ok(mt_contour_pair_smooth(&one, UNIT, &arena));
+    mt_assert_ok(mt_contour_pair_smooth(&other, UNIT, &arena));
     for (int i = 0; i < SEGMENTS; i++) {
         assert_true(mt_point_equal(one.a.segments[i].end, other.b.segments[i].end));
         assert_true(mt_point_equal(one.b.segments[i].end, other.a.segments[i].end));
@@ -86,9 +86,9 @@ static void either_way_round(void **state) {
 static void corners_stay(void **state) {
     (void)state;
     mt_segment in_a[SEGMENTS], in_b[SEGMENTS];
-    mt_masters masters = {.a = bracketed(400, in_a), .b = leaning(100, in_b)};
+    mt_contour_pair masters = {.a = bracketed(400, in_a), .b = leaning(100, in_b)};
     in_b[1] = line_to(20, 300);
-    mt_assert_ok(mt_masters_smooth(&masters, UNIT, &arena));
+    mt_assert_ok(mt_contour_pair_smooth(&masters, UNIT, &arena));
     assert_true(mt_point_equal(masters.b.segments[1].end, line_to(20, 300).end));
     assert_true(mt_point_equal(masters.a.segments[1].end, line_to(0, 400).end));
 }
@@ -97,12 +97,12 @@ static void corners_stay(void **state) {
 static void no_master_is_bent(void **state) {
     (void)state;
     mt_segment in_a[SEGMENTS], in_b[SEGMENTS];
-    mt_masters masters = {.a = bracketed(400, in_a), .b = bracketed(400, in_b)};
+    mt_contour_pair masters = {.a = bracketed(400, in_a), .b = bracketed(400, in_b)};
     in_a[1] = curve_to(40, 150, 40, 300);
     in_a[2] = curve_to(40, 500, 300, 500);
     in_b[1] = curve_to(100, 0, 200, 100);
     in_b[2] = curve_to(260, 160, 300, 500);
-    mt_assert_ok(mt_masters_smooth(&masters, 0, &arena));
+    mt_assert_ok(mt_contour_pair_smooth(&masters, 0, &arena));
     assert_true(mt_point_equal(masters.a.segments[1].end, line_to(40, 300).end));
     assert_true(mt_point_equal(masters.b.segments[1].end, line_to(200, 100).end));
 }

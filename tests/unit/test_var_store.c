@@ -1,4 +1,4 @@
-/* ItemVariationStores and DeltaSetIndexMaps that are written, against what mt_variations reads of them. */
+/* ItemVariationStores and DeltaSetIndexMaps that are written, against what mt_gdef_deltas reads of them. */
 #include "sfnt/var_store.h"
 
 #include <math.h>
@@ -36,12 +36,12 @@ static mt_bytes gdef_of(const mt_var_store *store) {
 
 /* What a row adds at a place, 0 … 1, to the value of the first stop. */
 static double delta_at(mt_bytes gdef, uint32_t index, double place) {
-    mt_variations variations;
+    mt_gdef_deltas variations;
     int32_t normalized = (int32_t)lround(place * 0x10000);
     uint8_t device[] = {
         (uint8_t)(index >> 24), (uint8_t)(index >> 16), (uint8_t)(index >> 8), (uint8_t)index, 0x80, 0};
-    mt_assert_ok(mt_variations_open(gdef, &normalized, 1, &arena, &variations));
-    return mt_variations_delta(&variations, (mt_bytes){device, sizeof device});
+    mt_assert_ok(mt_gdef_deltas_open(gdef, &normalized, 1, &arena, &variations));
+    return mt_gdef_delta(&variations, (mt_bytes){device, sizeof device});
 }
 
 /* Where a stop is, as 2.14 has it. */

@@ -108,7 +108,7 @@ static void points_are_where_they_were_told_to_be(void **state) {
         mt_glyph_moves *moves = room((size_t)data.glyph_count, sizeof *moves);
         data.glyphs[1] = large_glyph(&random, mt_random_between(&random, 3, 700));
         for (int i = 0; i < data.glyph_count; i++) moves[i] = random_moves(&random, &data.glyphs[i]);
-        mt_variation variation = {MT_AXIS_TAG, MT_AXIS_NAME, 0, MT_AXIS_END, 2, named, moves, {0}};
+        mt_axis_data variation = {MT_AXIS_TAG, MT_AXIS_NAME, 0, MT_AXIS_END, 2, named, moves, {0}};
         data.variation = &variation;
         check_font(&data);
         mt_arena_reset(&arena);
@@ -133,7 +133,7 @@ static void points_far_apart_are_told(void **state) {
     for (int i = 0; i < 3; i++) row[i] = row[POINTS - 1 - i] = (mt_move){(int16_t)(100 * i + 50), -20};
     mt_move *rows[] = {row};
     moves[1] = (mt_glyph_moves){1, end, rows};
-    mt_variation variation = {MT_AXIS_TAG, MT_AXIS_NAME, 0, MT_AXIS_END, 2, named, moves, {0}};
+    mt_axis_data variation = {MT_AXIS_TAG, MT_AXIS_NAME, 0, MT_AXIS_END, 2, named, moves, {0}};
     data.variation = &variation;
     check_font(&data);
 }

@@ -81,7 +81,7 @@ static mt_axis axis_of(const char *const *specs, int count) {
         snprintf(path, sizeof path, "%.*s", (int)strcspn(specs[k], "@"), specs[k]);
         axis.fonts[k] = open_font(path, specs[k]);
     }
-    axis.units = mt_recipe_units(axis.fonts[0], axis.fonts[1]);
+    axis.units = mt_metadata_units(axis.fonts[0], axis.fonts[1]);
     mt_charset_request all = {0};
     mt_assert_ok(mt_charset_make(axis.fonts[0], axis.fonts[1], &all, &arena, &axis.charsets[0]));
     for (int k = 2; k < count; k++) axis.charsets[k - 1] = charset_with(&axis.charsets[0], axis.fonts[k]);

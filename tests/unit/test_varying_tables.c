@@ -46,12 +46,12 @@ static void *new_list(int count, size_t size) {
 }
 
 /* What GDEF's store adds at a place, 0 … 1. */
-static mt_variations at_place(double place) {
-    mt_variations variations;
+static mt_gdef_deltas at_place(double place) {
+    mt_gdef_deltas variations;
     mt_bytes gdef, none = {0};
     int32_t normalized = (int32_t)lround(place * 0x10000);
     mt_assert_ok(mt_gdef_vary(none, &store, &arena, &gdef));
-    mt_assert_ok(mt_variations_open(gdef, &normalized, 1, &arena, &variations));
+    mt_assert_ok(mt_gdef_deltas_open(gdef, &normalized, 1, &arena, &variations));
     return variations;
 }
 
@@ -130,7 +130,7 @@ static mt_mixed_pairs new_pairs(void) {
     return mixed;
 }
 
-static mt_pair_source read_pairs(const mt_mixed_pairs *mixed, const mt_variations *variations, int *count) {
+static mt_pair_source read_pairs(const mt_mixed_pairs *mixed, const mt_gdef_deltas *variations, int *count) {
     static const int lookup = 0;
     mt_bytes *subtables;
     mt_pair_source source;
@@ -159,7 +159,7 @@ static void matrices_are_split(void **state) {
     (void)state;
     mt_random random = mt_random_case(0);
     mt_mixed_pairs mixed = new_pairs();
-    mt_variations variations;
+    mt_gdef_deltas variations;
     int count;
     fill_matrix(&mixed, &random);
     mt_pair_source source = read_pairs(&mixed, &variations, &count);
@@ -180,7 +180,7 @@ static void lists_are_split(void **state) {
     static const int32_t none[WIDTH] = {0};
     mt_random random = mt_random_case(0);
     mt_mixed_pairs mixed = new_pairs();
-    mt_variations variations;
+    mt_gdef_deltas variations;
     int count;
     fill_list(&mixed, &random);
     mt_pair_source source = read_pairs(&mixed, &variations, &count);
@@ -200,7 +200,7 @@ static void lists_are_split(void **state) {
 static void formats_are_what_is_needed(void **state) {
     (void)state;
     mt_mixed_pairs mixed = new_pairs();
-    mt_variations variations;
+    mt_gdef_deltas variations;
     int count;
     mt_listed_pair listed[] = {{1, 2}, {1, 3}};
     int32_t values[] = {0, 5, 9, 0, 0, 0, 0, -3, 0, 0, 0, 0};
@@ -242,7 +242,7 @@ static void single_adjustments_vary(void **state) {
     for (int i = 0; i < 3 * COUNT; i++) own[i] = (uint32_t)i;
     mt_font_glyphs glyphs = {1, 3 * COUNT, {own}};
     for (double place = 0; place <= 1; place += 0.25) {
-        mt_variations variations = at_place(place);
+        mt_gdef_deltas variations = at_place(place);
         mt_single_source source = {&layout, &variations, 1, 1, &lookup};
         mt_assert_ok(mt_singles_prepare(&source, &glyphs, &arena, &read));
         assert_int_equal(read.count, COUNT);
@@ -292,7 +292,7 @@ static mt_attachment many_marks_and_bases(bool ligatures) {
 }
 
 /* As engines do, in the first subtable that has both. */
-static bool find_pair(const mt_subtables *subtables, int type, const mt_variations *variations,
+static bool find_pair(const mt_subtables *subtables, int type, const mt_gdef_deltas *variations,
                       const mt_anchored *mark, const mt_anchored *base, mt_anchor_point points[2]) {
     for (int i = 0; i < subtables->count; i++) {
         mt_attachment_table table;
@@ -314,7 +314,7 @@ static void check_attachments(int type) {
     mt_assert_ok(mt_attachment_write(&all, type, &places, &arena, &subtables));
     assert_true(subtables.count > 4);
     for (double place = 0; place <= 1; place += 0.25) {
-        mt_variations variations = at_place(place);
+        mt_gdef_deltas variations = at_place(place);
         for (int i = 0; i < BASES; i++) {
             mt_anchor_point points[2];
             const mt_anchored *mark = &all.marks[i * 7 % MARKS], *base = &all.bases[i];
@@ -345,7 +345,7 @@ static void cursive_anchors_vary(void **state) {
         cursive.glyphs[i] =
             (mt_cursive_glyph){(uint16_t)(3 * i), {true, true}, {anchor_at(i, 0), anchor_at(-i, 500)}};
     mt_assert_ok(mt_cursive_write(&cursive, &places, &arena, &subtables));
-    mt_variations variations = at_place(0.75);
+    mt_gdef_deltas variations = at_place(0.75);
     for (int i = 0; i < COUNT; i++) {
         const mt_cursive_glyph *from = &cursive.glyphs[i], *to = &cursive.glyphs[i * 7919 % COUNT];
         mt_anchor_point exit, entry;
@@ -390,7 +390,7 @@ static void assert_classes(mt_bytes gdef) {
 
 static void gdef_takes_the_store(void **state) {
     (void)state;
-    mt_variations variations;
+    mt_gdef_deltas variations;
     uint32_t index;
     int32_t normalized = 0x8000;
     mt_assert_ok(mt_var_store_add(&store, (int32_t[]){0, 77, 100}, &index));
@@ -403,8 +403,8 @@ static void gdef_takes_the_store(void **state) {
         mt_bytes sets = mt_ot_follow(gdef, 12);
         assert_int_equal(sets.length > 0, k);
         if (k) assert_int_equal(mt_coverage_find(mt_ot_follow32(sets, 4), 5), 0);
-        mt_assert_ok(mt_variations_open(gdef, &normalized, 1, &arena, &variations));
-        assert_value(mt_variations_delta(&variations, (mt_bytes){device, sizeof device}), 77);
+        mt_assert_ok(mt_gdef_deltas_open(gdef, &normalized, 1, &arena, &variations));
+        assert_value(mt_gdef_delta(&variations, (mt_bytes){device, sizeof device}), 77);
     }
 }
 

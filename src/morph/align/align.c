@@ -6,67 +6,71 @@
 
 #include "geometry/limits.h"
 
-/* ---- stops --------------------------------------------------------------------------------------------- */
+/* ---- samples --------------------------------------------------------------------------------------------- */
 
-static mt_stop vertex_stop(const mt_trace *t, int i) {
-    return (mt_stop){t->ring.points[i].x, t->ring.points[i].y,   mt_trace_in(t, i),       mt_trace_out(t, i),
-                     t->corner[i],        mt_trace_breaks(t, i), mt_trace_extremum(t, i), t->line[i]};
+static mt_ring_sample vertex_sample(const mt_trace *t, int i) {
+    return (mt_ring_sample){t->ring.points[i].x,     t->ring.points[i].y, mt_trace_in(t, i),
+                            mt_trace_out(t, i),      t->corner[i],        mt_trace_breaks(t, i),
+                            mt_trace_extremum(t, i), t->line[i]};
 }
 
 static double angle_between(double from, double to) {
     return remainder(to - from, 2 * M_PI);
 }
 
-/* The place at share s of the edge from stop a to stop b: on the line or, for a chord, on the quadratic that its two headings
+/* The place at share s of the edge from sample a to sample b: on the line or, for a chord, on the quadratic that its two headings
  * make, as long as that bulges by no more than flattening allows. */
-static mt_stop stop_between(const mt_stop *a, const mt_stop *b, bool line, double chord, double s) {
+static mt_ring_sample sample_between(const mt_ring_sample *a, const mt_ring_sample *b, bool line,
+                                     double flatness, double s) {
     double dx = b->x - a->x, dy = b->y - a->y, heading = atan2(dy, dx);
-    mt_stop stop = {a->x + s * dx, a->y + s * dy, heading, heading, false, false, false, line};
+    mt_ring_sample sample = {a->x + s * dx, a->y + s * dy, heading, heading, false, false, false, line};
     double turn = angle_between(a->out, b->in), off = angle_between(a->out, heading);
-    if (line || off * turn <= 0 || fabs(off) >= fabs(turn) || fabs(turn) > M_PI / 2) return stop;
+    if (line || off * turn <= 0 || fabs(off) >= fabs(turn) || fabs(turn) > M_PI / 2) return sample;
     double reach = hypot(dx, dy) * sin(turn - off) / sin(turn); /* from a to the control point */
-    if (reach * fabs(sin(off)) / 2 > 2 * chord) return stop;
+    if (reach * fabs(sin(off)) / 2 > 2 * flatness) return sample;
     double cx = reach * cos(a->out), cy = reach * sin(a->out);
-    stop.x = a->x + 2 * s * (1 - s) * cx + s * s * dx;
-    stop.y = a->y + 2 * s * (1 - s) * cy + s * s * dy;
-    stop.in = stop.out = atan2((1 - s) * cy + s * (dy - cy), (1 - s) * cx + s * (dx - cx));
-    return stop;
+    sample.x = a->x + 2 * s * (1 - s) * cx + s * s * dx;
+    sample.y = a->y + 2 * s * (1 - s) * cy + s * s * dy;
+    sample.in = sample.out = atan2((1 - s) * cy + s * (dy - cy), (1 - s) * cx + s * (dx - cx));
+    return sample;
 }
 
 static int parts_of(const mt_trace *t, int i, double step) {
     return 1 + (int)(t->length[i] / step);
 }
 
-mt_status mt_stops_of(const mt_trace *t, double chord, double step, mt_arena *arena, mt_stops *stops) {
+mt_status mt_ring_samples_of(const mt_trace *t, double flatness, double step, mt_arena *arena,
+                             mt_ring_samples *samples) {
     int64_t total = 0;
     for (int i = 0; i < t->ring.count; i++) total += parts_of(t, i, step);
     if (total > MT_POINTS_MAX) return MT_TOO_LARGE;
-    mt_stops made = {0, mt_arena_new(arena, (size_t)total, sizeof(mt_stop))};
-    if (!made.stops) return MT_NO_MEMORY;
+    mt_ring_samples made = {0, mt_arena_new(arena, (size_t)total, sizeof(mt_ring_sample))};
+    if (!made.samples) return MT_NO_MEMORY;
     for (int i = 0; i < t->ring.count; i++) {
-        mt_stop a = vertex_stop(t, i), b = vertex_stop(t, mt_trace_after(t, i));
+        mt_ring_sample a = vertex_sample(t, i), b = vertex_sample(t, mt_trace_after(t, i));
         int parts = parts_of(t, i, step);
-        made.stops[made.count++] = a;
+        made.samples[made.count++] = a;
         for (int k = 1; k < parts; k++)
-            made.stops[made.count++] = stop_between(&a, &b, t->line[i], chord, (double)k / parts);
+            made.samples[made.count++] = sample_between(&a, &b, t->line[i], flatness, (double)k / parts);
     }
-    *stops = made;
+    *samples = made;
     return MT_OK;
 }
 
-mt_status mt_ring_stops(const mt_ring *ring, double chord, double least, mt_arena *arena, mt_stops *stops) {
+mt_status mt_ring_samples_at_least(const mt_ring *ring, double flatness, double least, mt_arena *arena,
+                                   mt_ring_samples *samples) {
     mt_trace trace;
-    mt_status status = mt_trace_ring(ring, chord, arena, &trace);
+    mt_status status = mt_trace_ring(ring, flatness, arena, &trace);
     double step = fmax(1, mt_ring_length(ring) / least);
-    return status == MT_OK ? mt_stops_of(&trace, chord, step, arena, stops) : status;
+    return status == MT_OK ? mt_ring_samples_of(&trace, flatness, step, arena, samples) : status;
 }
 
 /* ---- what a step costs --------------------------------------------------------------------------------- */
 
-#define THIN 0.35        /* of the other side: what a side of a box counts as, at least */
-#define PIN_PRICE 100.0F /* for a stop that a hint sends elsewhere */
-#define PIN_REACH 25.0   /* from a hint to the boundary that it is for, at most, 1/1000 em */
-#define STARTS 4         /* stops of B that are tried for the start */
+#define THIN 0.35       /* of the other side: what a side of a box counts as, at least */
+#define PIN_COST 100.0F /* for a sample that a hint sends elsewhere */
+#define PIN_REACH 25.0  /* from a hint to the boundary that it is for, at most, 1/1000 em */
+#define STARTS 4        /* samples of B that are tried for the start */
 
 /* The side of a box that places on it are taken relative to; a thin box counts as thicker, since a stem that is all of one glyph is
  * only the middle of the same glyph with serifs. */
@@ -74,28 +78,28 @@ static double side_of(double side, double across) {
     return fmax(side, THIN * across);
 }
 
-mt_view mt_view_of(const mt_stop *s, mt_box box) {
+mt_sample_view mt_sample_view_of(const mt_ring_sample *s, mt_box box) {
     double width = mt_box_width(box), height = mt_box_height(box);
     double x = s->x - box.min.x - width / 2, y = s->y - box.min.y - height / 2;
-    return (mt_view){.x = x / side_of(width, height),
-                     .y = y / side_of(height, width),
-                     .in_x = cos(s->in),
-                     .in_y = sin(s->in),
-                     .out_x = cos(s->out),
-                     .out_y = sin(s->out),
-                     .turn_x = cos(s->out - s->in),
-                     .turn_y = sin(s->out - s->in)};
+    return (mt_sample_view){.x = x / side_of(width, height),
+                            .y = y / side_of(height, width),
+                            .in_x = cos(s->in),
+                            .in_y = sin(s->in),
+                            .out_x = cos(s->out),
+                            .out_y = sin(s->out),
+                            .turn_x = cos(s->out - s->in),
+                            .turn_y = sin(s->out - s->in)};
 }
 
 typedef struct mt_views {
     int count;
-    mt_view *views;
+    mt_sample_view *views;
 } mt_views;
 
-static mt_status views_of(const mt_stops *stops, mt_box box, mt_arena *arena, mt_views *views) {
-    *views = (mt_views){stops->count, mt_arena_new(arena, (size_t)stops->count, sizeof(mt_view))};
+static mt_status views_of(const mt_ring_samples *samples, mt_box box, mt_arena *arena, mt_views *views) {
+    *views = (mt_views){samples->count, mt_arena_new(arena, (size_t)samples->count, sizeof(mt_sample_view))};
     if (!views->views) return MT_NO_MEMORY;
-    for (int i = 0; i < stops->count; i++) views->views[i] = mt_view_of(&stops->stops[i], box);
+    for (int i = 0; i < samples->count; i++) views->views[i] = mt_sample_view_of(&samples->samples[i], box);
     return MT_OK;
 }
 
@@ -104,9 +108,9 @@ static mt_status views_of(const mt_stops *stops, mt_box box, mt_arena *arena, mt
 enum { BOTH, A_MOVES, B_MOVES };
 
 typedef struct mt_grid {
-    int n, m; /* stops of A, of B */
+    int n, m; /* samples of A, of B */
     int start_a, start_b;
-    float *prices;  /* n × m, of each stop of A with each of B */
+    float *costs;   /* n × m, of each sample of A with each of B */
     float *turned;  /* a row of them from start_b on, and its first again, m + 1 */
     float *row;     /* of costs, m + 1 of them */
     float *last;    /* the row before */
@@ -114,51 +118,51 @@ typedef struct mt_grid {
     uint8_t *moves; /* (n + 1) × (m + 1): how each cell is best reached */
 } mt_grid;
 
-static mt_status fill_prices(mt_grid *g, const mt_tariff *tariff, const mt_views *a, const mt_views *b,
-                             mt_arena *arena) {
+static mt_status fill_costs(mt_grid *g, const mt_cost_weights *weights, const mt_views *a, const mt_views *b,
+                            mt_arena *arena) {
     mt_columns columns;
     mt_status status = mt_columns_of(b->views, b->count, arena, &columns);
     for (int i = 0; status == MT_OK && i < g->n; i++)
-        mt_price_all(tariff, &a->views[i], &columns, 0, g->m, g->prices + (size_t)i * (size_t)g->m);
+        mt_step_costs(weights, &a->views[i], &columns, 0, g->m, g->costs + (size_t)i * (size_t)g->m);
     return status;
 }
 
-static float price_at(const mt_grid *g, int i, int j) {
-    return g->prices[(size_t)i * (size_t)g->m + (size_t)j];
+static float cost_at(const mt_grid *g, int i, int j) {
+    return g->costs[(size_t)i * (size_t)g->m + (size_t)j];
 }
 
-#define WAIT_PRICE ((float)MT_WAIT_PRICE)
+#define WAIT_COST ((float)MT_WAIT_COST)
 
-/* The prices of row i in the order of the walk. */
+/* The costs of row i in the order of the walk. */
 static const float *turn_row(mt_grid *g, int i) {
-    const float *prices = g->prices + (size_t)((g->start_a + i) % g->n) * (size_t)g->m;
+    const float *costs = g->costs + (size_t)((g->start_a + i) % g->n) * (size_t)g->m;
     size_t behind = (size_t)(g->m - g->start_b);
-    memcpy(g->turned, prices + g->start_b, behind * sizeof *prices);
-    memcpy(g->turned + behind, prices, (size_t)g->start_b * sizeof *prices);
-    g->turned[g->m] = prices[g->start_b];
+    memcpy(g->turned, costs + g->start_b, behind * sizeof *costs);
+    memcpy(g->turned + behind, costs, (size_t)g->start_b * sizeof *costs);
+    g->turned[g->m] = costs[g->start_b];
     return g->turned;
 }
 
-/* From the row before: A's stop moves on, alone or with B's. */
-static void come_down(const mt_grid *g, const float *restrict prices, uint8_t *restrict moves) {
+/* From the row before: A's sample moves on, alone or with B's. */
+static void come_down(const mt_grid *g, const float *restrict costs, uint8_t *restrict moves) {
     const float *restrict last = g->last;
     float *restrict down = g->down;
-    down[0] = last[0] + WAIT_PRICE + prices[0];
+    down[0] = last[0] + WAIT_COST + costs[0];
     moves[0] = A_MOVES;
     for (int j = 1; j <= g->m; j++) {
-        float above = last[j] + WAIT_PRICE + prices[j], both = last[j - 1] + 2 * prices[j];
+        float above = last[j] + WAIT_COST + costs[j], both = last[j - 1] + 2 * costs[j];
         down[j] = above < both ? above : both;
         moves[j] = above < both ? A_MOVES : BOTH;
     }
 }
 
-/* Along the row: B's stop moves on alone, where that is cheaper. Returns the least cost in the row. Each cost waits for the one before
+/* Along the row: B's sample moves on alone, where that is cheaper. Returns the least cost in the row. Each cost waits for the one before
  * it, so that nothing else is done in that loop. */
-static float go_along(const mt_grid *g, const float *restrict prices, uint8_t *restrict moves) {
+static float go_along(const mt_grid *g, const float *restrict costs, uint8_t *restrict moves) {
     const float *restrict down = g->down;
     float *restrict row = g->row, best = INFINITY, least = INFINITY;
     for (int j = 0; j <= g->m; j++) {
-        float left = best + (WAIT_PRICE + prices[j]);
+        float left = best + (WAIT_COST + costs[j]);
         best = left < down[j] ? left : down[j];
         row[j] = best;
     }
@@ -168,18 +172,18 @@ static float go_along(const mt_grid *g, const float *restrict prices, uint8_t *r
 }
 
 /* The least cost of a way from (start_a, start_b) once around both rings; INFINITY once it is sure to come to `most` or more. A
- * step by which both stops move on counts twice, so that all ways weigh the same, however many steps they have (H. Sakoe and S.
+ * step by which both samples move on counts twice, so that all ways weigh the same, however many steps they have (H. Sakoe and S.
  * Chiba, "Dynamic programming algorithm optimization for spoken word recognition", 1978, the symmetric form). */
 static float fill(mt_grid *g, float most) {
     for (int i = 0; i <= g->n; i++) {
-        const float *prices = turn_row(g, i);
+        const float *costs = turn_row(g, i);
         uint8_t *moves = g->moves + (size_t)i * (size_t)(g->m + 1);
         float *swap = g->last;
         g->last = g->row;
         g->row = swap;
-        if (i > 0) come_down(g, prices, moves);
-        for (int j = 0; i == 0 && j <= g->m; j++) g->down[j] = j ? INFINITY : prices[0];
-        if (go_along(g, prices, moves) >= most) return INFINITY; /* every way comes through this row */
+        if (i > 0) come_down(g, costs, moves);
+        for (int j = 0; i == 0 && j <= g->m; j++) g->down[j] = j ? INFINITY : costs[0];
+        if (go_along(g, costs, moves) >= most) return INFINITY; /* every way comes through this row */
     }
     return g->row[g->m];
 }
@@ -203,69 +207,69 @@ static void read_back(const mt_grid *g, mt_alignment *alignment) {
 
 /* ---- where to start ------------------------------------------------------------------------------------ */
 
-static int surest_stop(const mt_grid *g) {
+static int surest_sample(const mt_grid *g) {
     float least = INFINITY;
     int surest = 0;
     for (int i = 0; i < g->n; i++)
         for (int j = 0; j < g->m; j++)
-            if (price_at(g, i, j) < least) {
-                least = price_at(g, i, j);
+            if (cost_at(g, i, j) < least) {
+                least = cost_at(g, i, j);
                 surest = i;
             }
     return surest;
 }
 
-/* The STARTS best partners of a stop of A, best first; -1 where B has no more stops. */
+/* The STARTS best partners of a sample of A, best first; -1 where B has no more samples. */
 static void best_partners(const mt_grid *g, int i, int partners[STARTS]) {
     for (int k = 0; k < STARTS; k++) partners[k] = -1;
     for (int j = 0; j < g->m; j++) {
         int k = STARTS;
-        while (k > 0 && (partners[k - 1] < 0 || price_at(g, i, j) < price_at(g, i, partners[k - 1]))) k--;
+        while (k > 0 && (partners[k - 1] < 0 || cost_at(g, i, j) < cost_at(g, i, partners[k - 1]))) k--;
         for (int l = STARTS - 1; l > k; l--) partners[l] = partners[l - 1];
         if (k < STARTS) partners[k] = j;
     }
 }
 
-/* A pinned stop goes with its counterpart and with no other. */
+/* A pinned sample goes with its counterpart and with no other. */
 static void pin(mt_grid *g, const mt_links *pins) {
     for (int k = 0; k < pins->count; k++) {
         mt_link p = pins->links[k];
         for (int j = 0; j < g->m; j++)
-            if (j != p.b) g->prices[(size_t)p.a * (size_t)g->m + (size_t)j] += (float)PIN_PRICE;
+            if (j != p.b) g->costs[(size_t)p.a * (size_t)g->m + (size_t)j] += (float)PIN_COST;
         for (int i = 0; i < g->n; i++)
-            if (i != p.a) g->prices[(size_t)i * (size_t)g->m + (size_t)p.b] += (float)PIN_PRICE;
+            if (i != p.a) g->costs[(size_t)i * (size_t)g->m + (size_t)p.b] += (float)PIN_COST;
     }
 }
 
-static mt_status start_grid(const mt_views *a, const mt_views *b, const mt_tariff *tariff,
+static mt_status start_grid(const mt_views *a, const mt_views *b, const mt_cost_weights *weights,
                             const mt_links *pins, mt_arena *arena, mt_grid *grid) {
     size_t cells = ((size_t)a->count + 1) * ((size_t)b->count + 1);
     if (cells > MT_ALIGNMENT_MAX) return MT_TOO_LARGE;
     *grid = (mt_grid){.n = a->count,
                       .m = b->count,
-                      .prices = mt_arena_new(arena, cells, sizeof(float)),
+                      .costs = mt_arena_new(arena, cells, sizeof(float)),
                       .turned = mt_arena_new(arena, (size_t)b->count + 1, sizeof(float)),
                       .row = mt_arena_new(arena, (size_t)b->count + 1, sizeof(float)),
                       .last = mt_arena_new(arena, (size_t)b->count + 1, sizeof(float)),
                       .down = mt_arena_new(arena, (size_t)b->count + 1, sizeof(float)),
                       .moves = mt_arena_new(arena, cells, 1)};
-    if (!grid->prices || !grid->turned || !grid->row || !grid->last || !grid->down || !grid->moves)
+    if (!grid->costs || !grid->turned || !grid->row || !grid->last || !grid->down || !grid->moves)
         return MT_NO_MEMORY;
-    mt_status status = fill_prices(grid, tariff, a, b, arena);
+    mt_status status = fill_costs(grid, weights, a, b, arena);
     if (status != MT_OK) return status;
     pin(grid, pins);
-    grid->start_a = surest_stop(grid);
+    grid->start_a = surest_sample(grid);
     return MT_OK;
 }
 
-static mt_status align(const mt_stops *stops_a, mt_box box_a, const mt_stops *stops_b, mt_box box_b,
-                       const mt_tariff *tariff, const mt_links *pins, mt_arena *arena,
+static mt_status align(const mt_ring_samples *samples_a, mt_box box_a, const mt_ring_samples *samples_b,
+                       mt_box box_b, const mt_cost_weights *weights, const mt_links *pins, mt_arena *arena,
                        mt_alignment *alignment) {
     mt_views a, b;
     mt_grid grid;
-    mt_status status = views_of(stops_a, box_a, arena, &a);
-    if (status == MT_OK) status = views_of(stops_b, box_b, arena, &b);
-    if (status == MT_OK) status = start_grid(&a, &b, tariff, pins, arena, &grid);
+    mt_status status = views_of(samples_a, box_a, arena, &a);
+    if (status == MT_OK) status = views_of(samples_b, box_b, arena, &b);
+    if (status == MT_OK) status = start_grid(&a, &b, weights, pins, arena, &grid);
     if (status != MT_OK) return status;
     mt_alignment made = {.steps = mt_arena_new(arena, (size_t)a.count + (size_t)b.count, sizeof(mt_link))};
     if (!made.steps) return MT_NO_MEMORY;
@@ -287,11 +291,11 @@ static mt_status align(const mt_stops *stops_a, mt_box box_a, const mt_stops *st
 /* ---- either way round ---------------------------------------------------------------------------------- */
 
 /* An order of rings that does not ask which of them is A's: < 0, 0, > 0. */
-static double compare(const mt_stops *p, const mt_stops *q) {
+static double compare(const mt_ring_samples *p, const mt_ring_samples *q) {
     if (p->count != q->count) return p->count - q->count;
     for (int i = 0; i < p->count; i++) {
-        if (p->stops[i].x != q->stops[i].x) return p->stops[i].x - q->stops[i].x;
-        if (p->stops[i].y != q->stops[i].y) return p->stops[i].y - q->stops[i].y;
+        if (p->samples[i].x != q->samples[i].x) return p->samples[i].x - q->samples[i].x;
+        if (p->samples[i].y != q->samples[i].y) return p->samples[i].y - q->samples[i].y;
     }
     return 0;
 }
@@ -300,24 +304,25 @@ static void swap_all(mt_link *links, int count) {
     for (int i = 0; i < count; i++) links[i] = (mt_link){links[i].b, links[i].a};
 }
 
-mt_status mt_align(const mt_stops *a, mt_box box_a, const mt_stops *b, mt_box box_b, const mt_tariff *tariff,
-                   const mt_links *pins, mt_arena *arena, mt_alignment *alignment) {
-    if (compare(a, b) <= 0) return align(a, box_a, b, box_b, tariff, pins, arena, alignment);
+mt_status mt_align(const mt_ring_samples *a, mt_box box_a, const mt_ring_samples *b, mt_box box_b,
+                   const mt_cost_weights *weights, const mt_links *pins, mt_arena *arena,
+                   mt_alignment *alignment) {
+    if (compare(a, b) <= 0) return align(a, box_a, b, box_b, weights, pins, arena, alignment);
     mt_links swapped = {pins->count, mt_arena_new(arena, (size_t)pins->count, sizeof(mt_link))};
     if (!swapped.links) return MT_NO_MEMORY;
     for (int i = 0; i < pins->count; i++) swapped.links[i] = (mt_link){pins->links[i].b, pins->links[i].a};
-    mt_status status = align(b, box_b, a, box_a, tariff, &swapped, arena, alignment);
+    mt_status status = align(b, box_b, a, box_a, weights, &swapped, arena, alignment);
     if (status == MT_OK) swap_all(alignment->steps, alignment->count);
     return status;
 }
 
 /* ---- pins ---------------------------------------------------------------------------------------------- */
 
-static int nearest_stop(const mt_stops *stops, mt_point place, double *least) {
+static int nearest_sample(const mt_ring_samples *samples, mt_point place, double *least) {
     int nearest = 0;
     *least = INFINITY;
-    for (int i = 0; i < stops->count; i++) {
-        double distance = hypot(stops->stops[i].x - place.x, stops->stops[i].y - place.y);
+    for (int i = 0; i < samples->count; i++) {
+        double distance = hypot(samples->samples[i].x - place.x, samples->samples[i].y - place.y);
         if (distance >= *least) continue;
         *least = distance;
         nearest = i;
@@ -325,14 +330,15 @@ static int nearest_stop(const mt_stops *stops, mt_point place, double *least) {
     return nearest;
 }
 
-mt_status mt_pins_of(const mt_hints *hints, const mt_stops *a, const mt_stops *b, mt_arena *arena,
-                     mt_links *pins) {
+mt_status mt_pins_of(const mt_hints *hints, const mt_ring_samples *a, const mt_ring_samples *b,
+                     mt_arena *arena, mt_links *pins) {
     *pins = (mt_links){0, mt_arena_new(arena, (size_t)hints->count, sizeof(mt_link))};
     if (!pins->links) return MT_NO_MEMORY;
     for (int i = 0; i < hints->count; i++) {
         if (hints->hints[i].kind != MT_HINT_POINT) continue;
         double in_a, in_b;
-        mt_link pin = {nearest_stop(a, hints->hints[i].a, &in_a), nearest_stop(b, hints->hints[i].b, &in_b)};
+        mt_link pin = {nearest_sample(a, hints->hints[i].a, &in_a),
+                       nearest_sample(b, hints->hints[i].b, &in_b)};
         if (fmax(in_a, in_b) <= mt_grid_units(PIN_REACH)) pins->links[pins->count++] = pin;
     }
     return MT_OK;

@@ -9,16 +9,15 @@ typedef struct mt_assignment {
     const double *costs;
     int row_step, column_step; /* in `costs`: the fewer are the rows, whichever they were */
     int rows, columns;
-    double *row_price, *column_price; /* potentials */
-    int *row_of;                      /* each column's row; -1: free */
-    double *reach;                    /* how far each column is from the row at hand … */
-    int *from;                        /* … and the column before it on the way; -1: none */
+    double *row_cost, *column_cost; /* potentials */
+    int *row_of;                    /* each column's row; -1: free */
+    double *reach;                  /* how far each column is from the row at hand … */
+    int *from;                      /* … and the column before it on the way; -1: none */
     bool *done;
 } mt_assignment;
 
 static double reduced(const mt_assignment *a, int row, int column) {
-    return a->costs[row * a->row_step + column * a->column_step] - a->row_price[row] -
-           a->column_price[column];
+    return a->costs[row * a->row_step + column * a->column_step] - a->row_cost[row] - a->column_cost[column];
 }
 
 /* Goes on from a row that is reached at `distance` over column `last`. */
@@ -39,12 +38,12 @@ static int nearest_open(const mt_assignment *a) {
 }
 
 /* After a search that ended `distance` away: what is nearer than that comes to lie at 0. */
-static void settle_prices(mt_assignment *a, int row, double distance) {
-    a->row_price[row] += distance;
+static void settle_costs(mt_assignment *a, int row, double distance) {
+    a->row_cost[row] += distance;
     for (int c = 0; c < a->columns; c++) {
         if (!a->done[c]) continue;
-        a->row_price[a->row_of[c]] += distance - a->reach[c];
-        a->column_price[c] -= distance - a->reach[c];
+        a->row_cost[a->row_of[c]] += distance - a->reach[c];
+        a->column_cost[c] -= distance - a->reach[c];
     }
 }
 
@@ -60,20 +59,20 @@ static void add_row(mt_assignment *a, int row) {
         look_on(a, a->row_of[c], a->reach[c], c);
         c = nearest_open(a);
     }
-    settle_prices(a, row, a->reach[c]);
+    settle_costs(a, row, a->reach[c]);
     for (; a->from[c] >= 0; c = a->from[c]) a->row_of[c] = a->row_of[a->from[c]];
     a->row_of[c] = row;
 }
 
 static mt_status start(mt_assignment *a, mt_arena *arena) {
     size_t rows = (size_t)a->rows, columns = (size_t)a->columns;
-    a->row_price = mt_arena_new(arena, rows, sizeof *a->row_price);
-    a->column_price = mt_arena_new(arena, columns, sizeof *a->column_price);
+    a->row_cost = mt_arena_new(arena, rows, sizeof *a->row_cost);
+    a->column_cost = mt_arena_new(arena, columns, sizeof *a->column_cost);
     a->reach = mt_arena_new(arena, columns, sizeof *a->reach);
     a->row_of = mt_arena_new(arena, columns, sizeof *a->row_of);
     a->from = mt_arena_new(arena, columns, sizeof *a->from);
     a->done = mt_arena_new(arena, columns, sizeof *a->done);
-    if (!a->row_price || !a->column_price || !a->reach || !a->row_of || !a->from || !a->done)
+    if (!a->row_cost || !a->column_cost || !a->reach || !a->row_of || !a->from || !a->done)
         return MT_NO_MEMORY;
     for (int c = 0; c < a->columns; c++) a->row_of[c] = -1;
     return MT_OK;

@@ -1,6 +1,6 @@
 /* Assignment: which rows go with which columns, so that all of it costs least. */
-#ifndef MT_ASSIGN_H
-#define MT_ASSIGN_H
+#ifndef MT_MORPH_ALIGN_ASSIGN_H
+#define MT_MORPH_ALIGN_ASSIGN_H
 
 #include "base/memory.h"
 #include "morphotype.h"

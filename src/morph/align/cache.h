@@ -1,6 +1,6 @@
-/* What was found of pairs of rings before: while cuts and manners are tried, most rings stay what they were. */
-#ifndef MT_KNOWN_H
-#define MT_KNOWN_H
+/* What was found of pairs of rings before: while cuts and settings are tried, most rings stay what they were. */
+#ifndef MT_MORPH_ALIGN_CACHE_H
+#define MT_MORPH_ALIGN_CACHE_H
 
 #include <stdint.h>
 
@@ -9,33 +9,33 @@
 #include "morph/model/settings.h"
 
 /* What an alignment without pins depends on. */
-typedef struct mt_known_case {
+typedef struct mt_cache_key {
     const mt_ring *p, *q;
     mt_box box_p, box_q;
-    mt_tariff tariff;
-    bool joined; /* aligned finely and fitted, not only priced */
-} mt_known_case;
+    mt_cost_weights weights;
+    bool joined; /* aligned finely and fitted, not only costed */
+} mt_cache_key;
 
-typedef struct mt_known_pair {
-    mt_known_case of; /* the rings have to stay */
+typedef struct mt_cache_entry {
+    mt_cache_key of; /* the rings have to stay */
     uint64_t hash;
-    double cost;        /* of the alignment, the mean of its steps */
-    mt_masters masters; /* where it was joined */
-    struct mt_known_pair *next;
-} mt_known_pair;
+    double cost;             /* of the alignment, the mean of its steps */
+    mt_contour_pair masters; /* where it was joined */
+    struct mt_cache_entry *next;
+} mt_cache_entry;
 
-enum { MT_KNOWN_SHELVES = 256 };
+enum { MT_CACHE_BUCKETS = 256 };
 
 /* All zero: nothing known yet. */
-struct mt_known {
-    mt_known_pair *shelves[MT_KNOWN_SHELVES];
+struct mt_alignment_cache {
+    mt_cache_entry *buckets[MT_CACHE_BUCKETS];
 };
 
-/* What is known of a case with the same points, marks, boxes and tariff; NULL: nothing, or there is no `known`. */
-const mt_known_pair *mt_known_find(const mt_known *known, const mt_known_case *of);
+/* What is known of a case with the same points, marks, boxes and weights; NULL: nothing, or there is no `known`. */
+const mt_cache_entry *mt_alignment_cache_find(const mt_alignment_cache *known, const mt_cache_key *of);
 
-/* Nothing where there is no `known`. `masters` is NULL for a price. MT_NO_MEMORY. */
-mt_status mt_known_add(mt_known *known, const mt_known_case *of, double cost, const mt_masters *masters,
-                       mt_arena *arena);
+/* Nothing where there is no `known`. `masters` is NULL for a cost. MT_NO_MEMORY. */
+mt_status mt_alignment_cache_add(mt_alignment_cache *known, const mt_cache_key *of, double cost,
+                                 const mt_contour_pair *masters, mt_arena *arena);
 
 #endif

@@ -1,6 +1,6 @@
-/* The views of many stops column by column, so that one stop is priced against all of them at once. */
-#ifndef MT_COLUMNS_H
-#define MT_COLUMNS_H
+/* The views of many samples column by column, so that one sample is costed against all of them at once. */
+#ifndef MT_MORPH_ALIGN_COLUMNS_H
+#define MT_MORPH_ALIGN_COLUMNS_H
 
 #include "morph/align/align.h"
 
@@ -9,10 +9,10 @@ typedef struct mt_columns {
 } mt_columns;
 
 /* In the arena. MT_NO_MEMORY. */
-mt_status mt_columns_of(const mt_view *views, int count, mt_arena *arena, mt_columns *columns);
+mt_status mt_columns_of(const mt_sample_view *views, int count, mt_arena *arena, mt_columns *columns);
 
-/* mt_price of one stop with each of those from `first` up to `end`, into the same places of `prices`. */
-void mt_price_all(const mt_tariff *tariff, const mt_view *view, const mt_columns *columns, int first, int end,
-                  float *prices);
+/* mt_step_cost of one sample with each of those from `first` up to `end`, into the same places of `costs`. */
+void mt_step_costs(const mt_cost_weights *weights, const mt_sample_view *view, const mt_columns *columns,
+                   int first, int end, float *costs);
 
 #endif

@@ -19,59 +19,59 @@ static double apart(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box
     return hypot(x, y) / 2;
 }
 
-static mt_status find_price(const mt_known_case *of, double chord, mt_arena *arena, double *price) {
+static mt_status find_cost(const mt_cache_key *of, double flatness, mt_arena *arena, double *cost) {
     mt_arena_place before = mt_arena_mark(arena);
-    mt_stops a, b;
+    mt_ring_samples a, b;
     mt_alignment alignment;
-    mt_status status = mt_ring_stops(of->p, chord, STOPS, arena, &a);
-    if (status == MT_OK) status = mt_ring_stops(of->q, chord, STOPS, arena, &b);
+    mt_status status = mt_ring_samples_at_least(of->p, flatness, STOPS, arena, &a);
+    if (status == MT_OK) status = mt_ring_samples_at_least(of->q, flatness, STOPS, arena, &b);
     if (status == MT_OK)
-        status = mt_align(&a, of->box_p, &b, of->box_q, &of->tariff, &(mt_links){0}, arena, &alignment);
-    if (status == MT_OK) *price = alignment.cost;
+        status = mt_align(&a, of->box_p, &b, of->box_q, &of->weights, &(mt_links){0}, arena, &alignment);
+    if (status == MT_OK) *cost = alignment.cost;
     mt_arena_rewind(arena, before);
     return status;
 }
 
-mt_status mt_pair_price(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q,
-                        const mt_manner *manner, mt_arena *arena, double *price) {
-    mt_known_case of = {p, q, box_p, box_q, manner->align, false};
-    const mt_known_pair *known = mt_known_find(manner->known, &of);
+mt_status mt_pair_cost(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q,
+                       const mt_settings *settings, mt_arena *arena, double *cost) {
+    mt_cache_key of = {p, q, box_p, box_q, settings->align, false};
+    const mt_cache_entry *known = mt_alignment_cache_find(settings->known, &of);
     if (known) {
-        *price = known->cost;
+        *cost = known->cost;
         return MT_OK;
     }
-    mt_status status = find_price(&of, manner->chord, arena, price);
-    return status == MT_OK ? mt_known_add(manner->known, &of, *price, NULL, arena) : status;
+    mt_status status = find_cost(&of, settings->flatness, arena, cost);
+    return status == MT_OK ? mt_alignment_cache_add(settings->known, &of, *cost, NULL, arena) : status;
 }
 
-typedef struct mt_prices {
+typedef struct mt_pairing_costs {
     int rows, columns;
-    double *prices; /* rows × columns; INFINITY for what may not be paired */
-} mt_prices;
+    double *costs; /* rows × columns; INFINITY for what may not be paired */
+} mt_pairing_costs;
 
-static mt_status price_all(const mt_ring_list *a, const mt_ring_list *b, double most, const mt_manner *manner,
-                           mt_arena *arena, mt_prices *p) {
-    *p = (mt_prices){a->count, b->count, NULL};
-    p->prices = mt_arena_new(arena, (size_t)a->count * (size_t)b->count, sizeof *p->prices);
-    if (!p->prices) return MT_NO_MEMORY;
+static mt_status cost_all(const mt_ring_list *a, const mt_ring_list *b, double most,
+                          const mt_settings *settings, mt_arena *arena, mt_pairing_costs *p) {
+    *p = (mt_pairing_costs){a->count, b->count, NULL};
+    p->costs = mt_arena_new(arena, (size_t)a->count * (size_t)b->count, sizeof *p->costs);
+    if (!p->costs) return MT_NO_MEMORY;
     mt_status status = MT_OK;
     for (int i = 0; i < p->rows; i++)
         for (int j = 0; status == MT_OK && j < p->columns; j++) {
-            double *price = &p->prices[(size_t)i * (size_t)p->columns + (size_t)j];
-            *price = INFINITY;
+            double *cost = &p->costs[(size_t)i * (size_t)p->columns + (size_t)j];
+            *cost = INFINITY;
             if (apart(a->rings[i], a->box, b->rings[j], b->box) > APART_MOST) continue;
-            status = mt_pair_price(a->rings[i], a->box, b->rings[j], b->box, manner, arena, price);
-            if (*price > most) *price = INFINITY;
+            status = mt_pair_cost(a->rings[i], a->box, b->rings[j], b->box, settings, arena, cost);
+            if (*cost > most) *cost = INFINITY;
         }
     return status;
 }
 
-/* What it counts that two rings go together: its price, and at most as much as if they did not. */
-static double cost_of(double price, double most) {
-    return fmin(price, fmin(most, FORBIDDEN));
+/* What it counts that two rings go together: its cost, and at most as much as if they did not. */
+static double cost_of(double cost, double most) {
+    return fmin(cost, fmin(most, FORBIDDEN));
 }
 
-static mt_status assign_rest(const mt_prices *p, double most, mt_arena *arena, int *partner_a,
+static mt_status assign_rest(const mt_pairing_costs *p, double most, mt_arena *arena, int *partner_a,
                              int *partner_b) {
     size_t cells = (size_t)p->rows * (size_t)p->columns;
     double *costs = mt_arena_new(arena, cells, sizeof *costs);
@@ -81,25 +81,25 @@ static mt_status assign_rest(const mt_prices *p, double most, mt_arena *arena, i
         for (int j = 0; j < p->columns; j++) {
             size_t cell = (size_t)i * (size_t)p->columns + (size_t)j;
             bool open = partner_a[i] < 0 && partner_b[j] < 0;
-            costs[cell] = cost_of(open ? p->prices[cell] : INFINITY, most);
+            costs[cell] = cost_of(open ? p->costs[cell] : INFINITY, most);
         }
     mt_status status = mt_assign(costs, p->rows, p->columns, arena, column_of);
     for (int i = 0; status == MT_OK && i < p->rows; i++) {
         int j = column_of[i];
         if (j < 0 || partner_a[i] >= 0 || partner_b[j] >= 0) continue;
-        if (p->prices[(size_t)i * (size_t)p->columns + (size_t)j] == INFINITY) continue;
+        if (p->costs[(size_t)i * (size_t)p->columns + (size_t)j] == INFINITY) continue;
         partner_a[i] = j;
         partner_b[j] = i;
     }
     return status;
 }
 
-mt_status mt_pair_rings(const mt_ring_list *a, const mt_ring_list *b, double most, const mt_manner *manner,
-                        mt_arena *arena, int *partner_a, int *partner_b) {
+mt_status mt_pair_rings(const mt_ring_list *a, const mt_ring_list *b, double most,
+                        const mt_settings *settings, mt_arena *arena, int *partner_a, int *partner_b) {
     if (a->count == 0 || b->count == 0) return MT_OK;
-    mt_prices prices;
-    mt_status status = price_all(a, b, most, manner, arena, &prices);
-    return status == MT_OK ? assign_rest(&prices, most, arena, partner_a, partner_b) : status;
+    mt_pairing_costs costs;
+    mt_status status = cost_all(a, b, most, settings, arena, &costs);
+    return status == MT_OK ? assign_rest(&costs, most, arena, partner_a, partner_b) : status;
 }
 
 mt_status mt_outer_rings(const mt_shape *shape, mt_box box, mt_arena *arena, mt_ring_list *list) {

@@ -4,38 +4,38 @@
 #include "morph/align/align.h"
 
 typedef struct mt_sum {
-    mt_stops stops[2];
+    mt_ring_samples samples[2];
     int count; /* of the corners */
     mt_corner *corners;
 } mt_sum;
 
-static const mt_stop *stop_at(const mt_sum *sum, int master, int k) {
+static const mt_ring_sample *sample_at(const mt_sum *sum, int master, int k) {
     const mt_corner *corner = &sum->corners[k % sum->count];
-    return &sum->stops[master].stops[master == 0 ? corner->p : corner->q];
+    return &sum->samples[master].samples[master == 0 ? corner->p : corner->q];
 }
 
 /* Whether the master stands still from corner k - 1 to corner k. */
 static bool waits(const mt_sum *sum, int master, int k) {
-    return stop_at(sum, master, k + sum->count) == stop_at(sum, master, k + sum->count - 1);
+    return sample_at(sum, master, k + sum->count) == sample_at(sum, master, k + sum->count - 1);
 }
 
 /* Whether a run ends at corner k: where a piece has a corner, or a line's end, unless it waits there all the while. */
 static bool breaks(const mt_sum *sum, int k) {
     for (int master = 0; master < 2; master++)
-        if (stop_at(sum, master, k)->breaks && !(waits(sum, master, k) && waits(sum, master, k + 1)))
+        if (sample_at(sum, master, k)->breaks && !(waits(sum, master, k) && waits(sum, master, k + 1)))
             return true;
     return false;
 }
 
 static void sample_run(const mt_sum *sum, int master, int first, int count, mt_sample *samples) {
     for (int k = 0; k <= count; k++) {
-        const mt_stop *stop = stop_at(sum, master, first + k);
-        samples[k] = mt_sample_at(stop->x, stop->y, k < count ? stop->out : stop->in, false);
+        const mt_ring_sample *sample = sample_at(sum, master, first + k);
+        samples[k] = mt_sample_at(sample->x, sample->y, k < count ? sample->out : sample->in, false);
     }
 }
 
 static mt_status fit_run(const mt_sum *sum, int first, int count, double tolerance, mt_arena *arena,
-                         mt_masters *m) {
+                         mt_contour_pair *m) {
     mt_sample *a = mt_arena_new(arena, (size_t)count + 1, sizeof *a);
     mt_sample *b = mt_arena_new(arena, (size_t)count + 1, sizeof *b);
     int *ends = mt_arena_new(arena, (size_t)count + 1, sizeof *ends);
@@ -52,24 +52,25 @@ static mt_status fit_run(const mt_sum *sum, int first, int count, double toleran
     return MT_OK;
 }
 
-static mt_status list_corners(const mt_ring *p, const mt_ring *q, double chord, mt_arena *arena,
+static mt_status list_corners(const mt_ring *p, const mt_ring *q, double flatness, mt_arena *arena,
                               mt_sum *sum) {
     enum { VERTICES_ONLY = 1 };
     sum->corners = mt_arena_new(arena, (size_t)p->count + (size_t)q->count, sizeof *sum->corners);
     if (!sum->corners) return MT_NO_MEMORY;
     sum->count = mt_minkowski_corners(p, q, sum->corners);
-    mt_status status = mt_ring_stops(p, chord, VERTICES_ONLY, arena, &sum->stops[0]);
-    return status == MT_OK ? mt_ring_stops(q, chord, VERTICES_ONLY, arena, &sum->stops[1]) : status;
+    mt_status status = mt_ring_samples_at_least(p, flatness, VERTICES_ONLY, arena, &sum->samples[0]);
+    return status == MT_OK ? mt_ring_samples_at_least(q, flatness, VERTICES_ONLY, arena, &sum->samples[1])
+                           : status;
 }
 
-mt_status mt_link_contour(const mt_ring *p, const mt_ring *q, double chord, double tolerance, mt_arena *arena,
-                          mt_masters *masters) {
+mt_status mt_link_contour(const mt_ring *p, const mt_ring *q, double flatness, double tolerance,
+                          mt_arena *arena, mt_contour_pair *masters) {
     mt_sum sum;
-    mt_status status = list_corners(p, q, chord, arena, &sum);
+    mt_status status = list_corners(p, q, flatness, arena, &sum);
     if (status != MT_OK) return status;
-    mt_masters made = {{0, mt_arena_new(arena, (size_t)sum.count, sizeof(mt_segment))},
-                       {0, mt_arena_new(arena, (size_t)sum.count, sizeof(mt_segment))},
-                       {0, 0}};
+    mt_contour_pair made = {{0, mt_arena_new(arena, (size_t)sum.count, sizeof(mt_segment))},
+                            {0, mt_arena_new(arena, (size_t)sum.count, sizeof(mt_segment))},
+                            {0, 0}};
     if (!made.a.segments || !made.b.segments) return MT_NO_MEMORY;
     int start = 0;
     while (start < sum.count && !breaks(&sum, start)) start++;

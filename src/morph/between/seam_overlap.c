@@ -5,15 +5,15 @@
 #include "geometry/inside.h"
 
 /* Both masters of a contour while it is lapped, and which of its segments' ends were put in for that. */
-typedef struct mt_lapping {
+typedef struct mt_seam_state {
     const mt_morph *morph;
     double reach;
     mt_arena *arena;
-    mt_masters made;
+    mt_contour_pair made;
     bool *put_in;
-} mt_lapping;
+} mt_seam_state;
 
-static const mt_shape *ink_of(const mt_lapping *lapping, int master) {
+static const mt_shape *ink_of(const mt_seam_state *lapping, int master) {
     return master == 0 ? &lapping->morph->a.whole : &lapping->morph->b.whole;
 }
 
@@ -49,7 +49,7 @@ static mt_segment split(mt_point start, const mt_segment *s, double u, mt_segmen
 }
 
 /* Which part of a segment is `reach` long, at most a third. */
-static double share_of(const mt_lapping *lapping, mt_point start, const mt_segment *s) {
+static double share_of(const mt_seam_state *lapping, mt_point start, const mt_segment *s) {
     double length = length_of(start, s->end);
     return length > 3 * lapping->reach ? lapping->reach / length : 1.0 / 3;
 }
@@ -59,7 +59,7 @@ static void append(mt_contour *contour, mt_segment s) {
 }
 
 /* The segment in three, with a point near either end. */
-static void append_three(const mt_lapping *lapping, mt_point start, const mt_segment *s,
+static void append_three(const mt_seam_state *lapping, mt_point start, const mt_segment *s,
                          mt_contour *contour) {
     mt_segment rest, last;
     double u = share_of(lapping, start, s);
@@ -74,12 +74,12 @@ static mt_point start_of(const mt_contour *contour, int i) {
 
 /* How deep in the ink the middle of a cut so long lies at least: less where a narrow neck was cut, and never as little as a
  * border is off by where it was fitted. */
-static double cut_depth(const mt_lapping *lapping, double length) {
+static double cut_depth(const mt_seam_state *lapping, double length) {
     return fmin(2 * lapping->reach, fmax(lapping->reach / 2, length / 4));
 }
 
 /* Whether the segment is a cut of either master: in the ink. */
-static bool is_cut(const mt_lapping *lapping, const mt_masters *drawn, int i) {
+static bool is_cut(const mt_seam_state *lapping, const mt_contour_pair *drawn, int i) {
     for (int master = 0; master < 2; master++) {
         const mt_contour *contour = master == 0 ? &drawn->a : &drawn->b;
         const mt_segment *s = &contour->segments[i];
@@ -90,20 +90,20 @@ static bool is_cut(const mt_lapping *lapping, const mt_masters *drawn, int i) {
     return false;
 }
 
-static mt_status start(mt_lapping *lapping, const mt_masters *drawn) {
+static mt_status start(mt_seam_state *lapping, const mt_contour_pair *drawn) {
     size_t room = 3 * (size_t)drawn->a.count;
-    lapping->made = (mt_masters){{0, mt_arena_new(lapping->arena, room, sizeof(mt_segment))},
-                                 {0, mt_arena_new(lapping->arena, room, sizeof(mt_segment))},
-                                 drawn->aside};
+    lapping->made = (mt_contour_pair){{0, mt_arena_new(lapping->arena, room, sizeof(mt_segment))},
+                                      {0, mt_arena_new(lapping->arena, room, sizeof(mt_segment))},
+                                      drawn->displacement};
     lapping->put_in = mt_arena_new(lapping->arena, room, sizeof(bool));
     bool made = lapping->made.a.segments && lapping->made.b.segments && lapping->put_in;
     return made ? MT_OK : MT_NO_MEMORY;
 }
 
-static mt_status copy_split(mt_lapping *lapping, const mt_masters *drawn) {
+static mt_status copy_split(mt_seam_state *lapping, const mt_contour_pair *drawn) {
     mt_status status = start(lapping, drawn);
     if (status != MT_OK) return status;
-    mt_masters *made = &lapping->made;
+    mt_contour_pair *made = &lapping->made;
     for (int i = 0; i < drawn->a.count; i++) {
         if (!is_cut(lapping, drawn, i)) {
             append(&made->a, drawn->a.segments[i]);
@@ -136,14 +136,14 @@ static void add(mt_beads *beads, mt_point *point, bool deep, bool put_in) {
 }
 
 /* Whether a curve is a cut all along: a cut can go on where a border ends, and one curve be fitted to both. */
-static bool is_deep_along(const mt_lapping *lapping, const mt_shape *ink, mt_point start,
+static bool is_deep_along(const mt_seam_state *lapping, const mt_shape *ink, mt_point start,
                           const mt_segment *s) {
     return mt_is_deep_in_ink(ink, point_of(start, s, 0.25), lapping->reach) &&
            mt_is_deep_in_ink(ink, point_of(start, s, 0.5), 2 * lapping->reach) &&
            mt_is_deep_in_ink(ink, point_of(start, s, 0.75), lapping->reach);
 }
 
-static mt_status string_beads(const mt_lapping *lapping, const mt_shape *ink, mt_contour *contour,
+static mt_status string_beads(const mt_seam_state *lapping, const mt_shape *ink, mt_contour *contour,
                               mt_beads *beads) {
     size_t room = 2 * (size_t)contour->count;
     mt_arena *arena = lapping->arena;
@@ -184,7 +184,7 @@ static bool may_move(const mt_shape *ink, const mt_beads *beads, int i, mt_point
     return beads->put_in[i] && mt_is_in_ink(ink, beads->drawn[i]) && mt_is_in_ink(ink, to);
 }
 
-static mt_status lap_master(const mt_lapping *lapping, int master, mt_contour *contour) {
+static mt_status lap_master(const mt_seam_state *lapping, int master, mt_contour *contour) {
     mt_beads beads;
     const mt_shape *ink = ink_of(lapping, master);
     mt_arena_place before = mt_arena_mark(lapping->arena);
@@ -197,10 +197,11 @@ static mt_status lap_master(const mt_lapping *lapping, int master, mt_contour *c
     return status;
 }
 
-mt_status mt_moving_lap(const mt_morph *morph, double reach, mt_arena *arena, mt_moving *moving) {
+mt_status mt_overlap_seams(const mt_morph *morph, double reach, mt_arena *arena,
+                           mt_variable_outline *moving) {
     mt_status status = MT_OK;
     for (int i = 0; i < moving->count && status == MT_OK; i++) {
-        mt_lapping lapping = {.morph = morph, .reach = reach, .arena = arena};
+        mt_seam_state lapping = {.morph = morph, .reach = reach, .arena = arena};
         status = copy_split(&lapping, &moving->contours[i]);
         if (status == MT_OK) status = lap_master(&lapping, 0, &lapping.made.a);
         if (status == MT_OK) status = lap_master(&lapping, 1, &lapping.made.b);

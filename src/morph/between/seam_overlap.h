@@ -1,6 +1,6 @@
 /* Contours that lie side by side, laid over one another a little. */
-#ifndef MT_LAP_H
-#define MT_LAP_H
+#ifndef MT_MORPH_BETWEEN_SEAM_OVERLAP_H
+#define MT_MORPH_BETWEEN_SEAM_OVERLAP_H
 
 #include "morph/between/variable_outline.h"
 
@@ -10,6 +10,6 @@
  * control point moves where all of its curve lies in the ink. Where a segment lies in the ink, however short, so do two points
  * that are put in near its ends, as far as there is ink. The masters are copied.
  * MT_NO_MEMORY. */
-mt_status mt_moving_lap(const mt_morph *morph, double reach, mt_arena *arena, mt_moving *moving);
+mt_status mt_overlap_seams(const mt_morph *morph, double reach, mt_arena *arena, mt_variable_outline *moving);
 
 #endif

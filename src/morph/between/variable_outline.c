@@ -12,9 +12,10 @@
  * by, and half as much again. */
 #define LAP 1.5
 
-mt_status mt_moving_make(const mt_morph *morph, const mt_params *params, mt_arena *arena, mt_moving *moving) {
+mt_status mt_variable_outline_make(const mt_morph *morph, const mt_params *params, mt_arena *arena,
+                                   mt_variable_outline *moving) {
     size_t room = (size_t)morph->contour_count + (size_t)morph->links.count;
-    mt_moving made = {morph->contour_count, mt_arena_new(arena, room, sizeof(mt_masters))};
+    mt_variable_outline made = {morph->contour_count, mt_arena_new(arena, room, sizeof(mt_contour_pair))};
     if (!made.contours) return MT_NO_MEMORY;
     for (int i = 0; i < morph->contour_count; i++) made.contours[i] = morph->contours[i];
     for (int i = 0; i < morph->links.count; i++) {
@@ -24,7 +25,7 @@ mt_status mt_moving_make(const mt_morph *morph, const mt_params *params, mt_aren
                                            arena, &made.contours[made.count++]);
         if (status != MT_OK) return status;
     }
-    mt_status status = mt_moving_lap(morph, mt_grid_units(LAP), arena, &made);
+    mt_status status = mt_overlap_seams(morph, mt_grid_units(LAP), arena, &made);
     if (status == MT_OK) *moving = made;
     return status;
 }
@@ -39,12 +40,12 @@ static void turn_contour(const mt_morph *morph, mt_weights weights, mt_contour *
     }
 }
 
-mt_status mt_moving_at(const mt_morph *morph, const mt_moving *moving, mt_weights weights, mt_arena *arena,
-                       mt_outline *outline) {
+mt_status mt_variable_outline_at(const mt_morph *morph, const mt_variable_outline *moving, mt_weights weights,
+                                 mt_arena *arena, mt_outline *outline) {
     mt_outline made = {moving->count, mt_arena_new(arena, (size_t)moving->count, sizeof(mt_contour))};
     if (!made.contours) return MT_NO_MEMORY;
     for (int i = 0; i < moving->count; i++) {
-        mt_status status = mt_masters_mix(&moving->contours[i], weights, arena, &made.contours[i]);
+        mt_status status = mt_contour_pair_mix(&moving->contours[i], weights, arena, &made.contours[i]);
         if (status != MT_OK) return status;
         turn_contour(morph, weights, &made.contours[i]);
     }
@@ -62,19 +63,19 @@ static void measure(mt_point a, mt_point middle_a, mt_point b, mt_point middle_b
     *change = fmax(*change, hypot(bx - ax, by - ay));
 }
 
-/* Whether a contour turns off its straight way half-way (mt_masters.aside). */
-static bool stands_aside(const mt_moving *moving) {
+/* Whether a contour turns off its straight way half-way (mt_contour_pair.displacement). */
+static bool is_displaced(const mt_variable_outline *moving) {
     for (int i = 0; i < moving->count; i++)
-        if (!mt_point_equal(moving->contours[i].aside, (mt_point){0, 0})) return true;
+        if (!mt_point_equal(moving->contours[i].displacement, (mt_point){0, 0})) return true;
     return false;
 }
 
 /* A point is turned by an angle that grows with T about a middle, as its distance from it changes evenly. The second derivative of
- * its way is then at most q²·radius + 2q·change (q in radians), and a chord over 1/n of it departs by an eighth of that over n². */
-int mt_moving_steps(const mt_morph *morph, const mt_moving *moving, double bound) {
+ * its way is then at most q²·radius + 2q·change (q in radians), and a flatness over 1/n of it departs by an eighth of that over n². */
+int mt_variable_outline_steps(const mt_morph *morph, const mt_variable_outline *moving, double bound) {
     double radius = 0, change = 0, q = fabs(morph->degrees) * (M_PI / 180);
     mt_point a = mt_box_middle(morph->a.box), b = mt_box_middle(morph->b.box);
-    int parts = stands_aside(moving) ? 2 : 1;
+    int parts = is_displaced(moving) ? 2 : 1;
     if (morph->degrees == 0) return parts;
     for (int i = 0; i < moving->count; i++)
         for (int k = 0; k < moving->contours[i].a.count; k++) {

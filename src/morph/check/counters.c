@@ -10,7 +10,7 @@
 /* Holes as they are meant: one that leaves its ink is none, though the nonzero rule draws it. */
 static mt_status holes_at(mt_mending *m, double t, mt_shape *shape, int *holes) {
     mt_status status = mt_mend_shape(m, t, MT_POSITIVE, shape);
-    if (status == MT_OK) *holes = mt_census_of(shape).holes;
+    if (status == MT_OK) *holes = mt_topology_of(shape).holes;
     return status;
 }
 
@@ -23,12 +23,12 @@ static bool has_hole_of_area(const mt_shape *shape, int64_t area2) {
 
 /* Whether a contour runs around a hole, and not all of what it runs around is one at this place. */
 static mt_status is_open(const mt_mending *m, int contour, double t, const mt_shape *shape, bool *open) {
-    const mt_masters *masters = &m->morph->contours[contour];
+    const mt_contour_pair *masters = &m->morph->contours[contour];
     mt_contour mixed;
     mt_rings rings;
     *open = false;
-    if (mt_masters_area(masters) >= 0) return MT_OK;
-    mt_status status = mt_masters_mix(masters, mt_weights_at(t), m->arena, &mixed);
+    if (mt_contour_pair_area(masters) >= 0) return MT_OK;
+    mt_status status = mt_contour_pair_mix(masters, mt_weights_at(t), m->arena, &mixed);
     if (status == MT_OK)
         status = mt_flatten(&(mt_outline){1, &mixed}, mt_grid_units(m->params->tolerance), m->arena, &rings);
     if (status == MT_OK) *open = !has_hole_of_area(shape, mt_ring_area2(&rings.rings[0]));
@@ -50,11 +50,11 @@ static mt_status look(mt_mending *m, double t, int holes, bool *better) {
 
 /* Lets a hole's contour go the way, of those that are tried, on which the glyph strays least. */
 static mt_status keep_clear(mt_mending *m, int hole, double t, int holes) {
-    mt_masters *contour = &m->morph->contours[hole];
+    mt_contour_pair *contour = &m->morph->contours[hole];
     mt_point best = {0, 0};
-    for (int i = 0; i < MT_ASIDE_WAYS && mt_mend_goes_on(m); i++) {
+    for (int i = 0; i < MT_DISPLACEMENTS && mt_mend_goes_on(m); i++) {
         bool better;
-        mt_point way = mt_aside_way(i);
+        mt_point way = mt_displacement(i);
         mt_shift_contour(contour, way);
         mt_status status = look(m, t, holes, &better);
         if (status != MT_OK) return status;
@@ -81,7 +81,7 @@ static mt_status keep_at(mt_mending *m, const void *stage, double t, bool *close
 }
 
 mt_status mt_keep_counters(mt_mending *m) {
-    int in_a = mt_census_of(&m->morph->a.whole).holes, in_b = mt_census_of(&m->morph->b.whole).holes;
+    int in_a = mt_topology_of(&m->morph->a.whole).holes, in_b = mt_topology_of(&m->morph->b.whole).holes;
     int least = in_a < in_b ? in_a : in_b;
     return mt_mend_outwards(m, keep_at, &least);
 }

@@ -4,8 +4,8 @@
 
 #include "geometry/limits.h"
 
-static mt_status look(mt_mending *m, int enough, mt_straying *by) {
-    mt_status status = mt_morph_strays(m->morph, enough, m->params, m->arena, by);
+static mt_status look(mt_mending *m, int enough, mt_topology_error *by) {
+    mt_status status = mt_morph_topology_error(m->morph, enough, m->params, m->arena, by);
     if (status == MT_OK) m->effort -= by->corners;
     return status;
 }
@@ -19,7 +19,7 @@ bool mt_mend_goes_on(const mt_mending *m) {
 }
 
 mt_status mt_mend_compare(mt_mending *m, bool *better) {
-    mt_straying by;
+    mt_topology_error by;
     mt_status status = look(m, m->by.parts, &by);
     *better = status == MT_OK && by.parts < m->by.parts;
     if (*better) m->by = by;
@@ -40,7 +40,7 @@ mt_status mt_mend_shape(mt_mending *m, double t, mt_rule rule, mt_shape *shape) 
 mt_status mt_mend_outwards(mt_mending *m, mt_mend_place mend, const void *stage) {
     mt_status status = MT_OK;
     bool closed = true;
-    for (int i = 0; status == MT_OK && closed && mt_mend_goes_on(m) && i < MT_CENSUS_STEPS; i++)
-        status = mend(m, stage, mt_census_place(m->morph, i), &closed);
+    for (int i = 0; status == MT_OK && closed && mt_mend_goes_on(m) && i < MT_TOPOLOGY_STEPS; i++)
+        status = mend(m, stage, mt_topology_position(m->morph, i), &closed);
     return status;
 }

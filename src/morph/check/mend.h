@@ -1,6 +1,6 @@
-/* Mending a morph that strays on the way: what the stages of it share. */
-#ifndef MT_MEND_H
-#define MT_MEND_H
+/* Mending a morph that strays on the way: what the stages of it part. */
+#ifndef MT_MORPH_CHECK_MEND_H
+#define MT_MORPH_CHECK_MEND_H
 
 #include "geometry/union.h"
 #include "morph/check/topology.h"
@@ -9,8 +9,8 @@ typedef struct mt_mending {
     mt_morph *morph;
     const mt_params *params;
     mt_arena *arena;
-    mt_straying by; /* how the morph strays as it is */
-    int64_t effort; /* how many corners of blends may still be looked at */
+    mt_topology_error by; /* how the morph strays as it is */
+    int64_t effort;       /* how many corners of blends may still be looked at */
 } mt_mending;
 
 /* Finds how the morph strays to begin with. As mt_morph_blend. */

@@ -16,7 +16,7 @@ enum { LAPS = sizeof laps / sizeof *laps };
 
 /* What does not change with the place. */
 typedef struct mt_whole {
-    mt_homes homes;
+    mt_contour_origins origins;
     int most; /* the most components that an end has */
 } mt_whole;
 
@@ -46,7 +46,7 @@ static mt_status look(mt_mending *m, const mt_whole *whole, double t, mt_scene *
     mt_status status = mt_mend_shape(m, t, MT_NONZERO, &scene->shape);
     for (int i = 0; status == MT_OK && i < m->morph->contour_count; i++) {
         mt_contour contour;
-        status = mt_masters_mix(&m->morph->contours[i], mt_weights_at(t), m->arena, &contour);
+        status = mt_contour_pair_mix(&m->morph->contours[i], mt_weights_at(t), m->arena, &contour);
         if (status == MT_OK) scene->part_of[i] = mt_component_at(&scene->shape, contour.segments[0].end);
     }
     return status;
@@ -56,7 +56,7 @@ static mt_status look(mt_mending *m, const mt_whole *whole, double t, mt_scene *
 static bool belong_together(const mt_scene *s, int part, int other) {
     for (int i = 0; i < s->m->morph->contour_count; i++)
         for (int k = 0; k < s->m->morph->contour_count; k++)
-            if (s->part_of[i] == part && s->part_of[k] == other && mt_share_home(&s->whole->homes, i, k))
+            if (s->part_of[i] == part && s->part_of[k] == other && mt_same_origin(&s->whole->origins, i, k))
                 return true;
     return false;
 }
@@ -77,7 +77,7 @@ static mt_rift rift_between(const mt_scene *s, int part, int other) {
 
 static bool may_shift(const mt_scene *s, int part, mt_point by) {
     for (int i = 0; i < s->m->morph->contour_count; i++) {
-        mt_point at = s->m->morph->contours[i].aside;
+        mt_point at = s->m->morph->contours[i].displacement;
         double x = (double)at.x + by.x, y = (double)at.y + by.y;
         if (s->part_of[i] == part && x * x + y * y > mt_grid_units(FARTHEST) * mt_grid_units(FARTHEST))
             return false;
@@ -96,7 +96,7 @@ static mt_status is_closed(const mt_scene *s, bool *closed) {
     mt_shape shape;
     mt_arena_place before = mt_arena_mark(s->m->arena);
     mt_status status = mt_mend_shape(s->m, s->t, MT_NONZERO, &shape);
-    *closed = status == MT_OK && mt_census_of(&shape).components < mt_census_of(&s->shape).components;
+    *closed = status == MT_OK && mt_topology_of(&shape).components < mt_topology_of(&s->shape).components;
     mt_arena_rewind(s->m->arena, before);
     return status;
 }
@@ -144,17 +144,17 @@ static mt_status close_at(mt_mending *m, const void *stage, double t, bool *clos
         before = m->by.parts;
         mt_status status = look(m, whole, t, &scene);
         if (status != MT_OK) return status;
-        *closed = mt_census_of(&scene.shape).components <= whole->most;
+        *closed = mt_topology_of(&scene.shape).components <= whole->most;
         if (!*closed) status = close_one(&scene);
         if (status != MT_OK) return status;
     } while (m->by.parts < before);
     return MT_OK;
 }
 
-mt_status mt_draw_together(mt_mending *m) {
-    int in_a = mt_census_of(&m->morph->a.whole).components,
-        in_b = mt_census_of(&m->morph->b.whole).components;
+mt_status mt_reconnect_parts(mt_mending *m) {
+    int in_a = mt_topology_of(&m->morph->a.whole).components,
+        in_b = mt_topology_of(&m->morph->b.whole).components;
     mt_whole whole = {.most = in_a > in_b ? in_a : in_b};
-    mt_status status = mt_homes_of(m->morph, m->arena, &whole.homes);
+    mt_status status = mt_contour_origins_of(m->morph, m->arena, &whole.origins);
     return status == MT_OK ? mt_mend_outwards(m, close_at, &whole) : status;
 }

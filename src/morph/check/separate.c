@@ -38,7 +38,7 @@ static void stretch(mt_box *box, mt_point p) {
 }
 
 /* What a contour stays within on its way, but for standing aside. */
-static mt_box way_box(const mt_masters *m) {
+static mt_box way_box(const mt_contour_pair *m) {
     mt_box box = {m->a.segments[0].end, m->a.segments[0].end};
     for (int s = 0; s < 2; s++) {
         const mt_contour *contour = s == 0 ? &m->a : &m->b;
@@ -54,26 +54,26 @@ static mt_status gather(mt_mending *mending, mt_clusters *clusters) {
     const mt_morph *m = mending->morph;
     mt_arena *arena = mending->arena;
     size_t count = (size_t)m->contour_count;
-    mt_homes homes;
+    mt_contour_origins origins;
     *clusters = (mt_clusters){.m = mending,
                               .moved = mt_arena_new(arena, count, sizeof(bool)),
                               .of = mt_arena_new(arena, count, sizeof(int)),
                               .area = mt_arena_new(arena, count, sizeof(double)),
                               .boxes = mt_arena_new(arena, count, sizeof(mt_box)),
-                              .alone = mt_arena_new(arena, count, MT_CENSUS_STEPS * sizeof(int))};
+                              .alone = mt_arena_new(arena, count, MT_TOPOLOGY_STEPS * sizeof(int))};
     if (!clusters->moved || !clusters->of || !clusters->area || !clusters->boxes || !clusters->alone)
         return MT_NO_MEMORY;
-    mt_status status = mt_homes_of(m, arena, &homes);
+    mt_status status = mt_contour_origins_of(m, arena, &origins);
     if (status != MT_OK) return status;
     for (int i = 0; i < m->contour_count; i++) {
         clusters->of[i] = i;
         for (int k = 0; k < i; k++)
-            if (mt_share_home(&homes, i, k)) unite(clusters->of, i + 1, i, k);
+            if (mt_same_origin(&origins, i, k)) unite(clusters->of, i + 1, i, k);
     }
     for (int i = 0; i < m->contour_count; i++) clusters->boxes[i] = way_box(&m->contours[i]);
     for (int i = 0; i < m->contour_count; i++) {
         int head = clusters->of[i];
-        clusters->area[head] += mt_masters_area(&m->contours[i]);
+        clusters->area[head] += mt_contour_pair_area(&m->contours[i]);
         clusters->boxes[head] = around(clusters->boxes[head], clusters->boxes[i]);
     }
     return MT_OK;
@@ -88,8 +88,8 @@ static mt_status rings_of(const mt_clusters *c, int one, int other, double t, mt
     mt_status status = outline.contours ? MT_OK : MT_NO_MEMORY;
     for (int i = 0; status == MT_OK && i < m->morph->contour_count; i++)
         if (c->of[i] == one || c->of[i] == other)
-            status = mt_masters_mix(&m->morph->contours[i], mt_weights_at(t), m->arena,
-                                    &outline.contours[outline.count++]);
+            status = mt_contour_pair_mix(&m->morph->contours[i], mt_weights_at(t), m->arena,
+                                         &outline.contours[outline.count++]);
     return status == MT_OK ? mt_flatten(&outline, mt_grid_units(m->params->tolerance), m->arena, rings)
                            : status;
 }
@@ -99,16 +99,16 @@ static mt_status components_of(const mt_clusters *c, int one, int other, int pla
     mt_arena_place before = mt_arena_mark(c->m->arena);
     mt_rings rings;
     mt_shape shape;
-    mt_status status = rings_of(c, one, other, mt_census_place(c->m->morph, place), &rings);
+    mt_status status = rings_of(c, one, other, mt_topology_position(c->m->morph, place), &rings);
     if (status == MT_OK) status = mt_mend_union(c->m, &rings, MT_POSITIVE, &shape);
-    if (status == MT_OK) *count = mt_census_of(&shape).components;
+    if (status == MT_OK) *count = mt_topology_of(&shape).components;
     mt_arena_rewind(c->m->arena, before);
     return status;
 }
 
 /* Of a cluster alone; it has as many wherever it stands. */
 static mt_status count_alone(const mt_clusters *c, int cluster, int place, int *count) {
-    int *known = &c->alone[cluster * MT_CENSUS_STEPS + place];
+    int *known = &c->alone[cluster * MT_TOPOLOGY_STEPS + place];
     mt_status status = *known == 0 ? components_of(c, cluster, cluster, place, known) : MT_OK;
     *count = *known;
     return status;
@@ -128,7 +128,7 @@ static mt_status do_touch(const mt_clusters *c, int p, int q, bool *touch) {
     mt_status status = MT_OK;
     *touch = false;
     if (!meet(c->boxes[p], c->boxes[q])) return MT_OK;
-    for (int i = 0; status == MT_OK && !*touch && i < MT_CENSUS_STEPS; i++)
+    for (int i = 0; status == MT_OK && !*touch && i < MT_TOPOLOGY_STEPS; i++)
         status = touch_at(c, p, q, i, touch);
     return status;
 }
@@ -138,9 +138,9 @@ static mt_status do_touch(const mt_clusters *c, int p, int q, bool *touch) {
 /* Moves a cluster that touches another by as little as helps, unless it has moved: the two are apart then, and all of the glyph
  * strays less. */
 static mt_status move_away(const mt_clusters *c, int cluster, int other) {
-    for (int i = 0; i < MT_ASIDE_WAYS && !c->moved[cluster] && mt_mend_goes_on(c->m); i++) {
+    for (int i = 0; i < MT_DISPLACEMENTS && !c->moved[cluster] && mt_mend_goes_on(c->m); i++) {
         bool touch, better = false;
-        mt_point to = mt_aside_way(i);
+        mt_point to = mt_displacement(i);
         mt_shift(c->m->morph, c->of, cluster, to);
         mt_status status = do_touch(c, cluster, other, &touch);
         if (status == MT_OK && !touch) status = mt_mend_compare(c->m, &better);
@@ -161,7 +161,7 @@ static mt_status part(const mt_clusters *c, int p, int q) {
     return status == MT_OK && c->m->by.parts == before ? move_away(c, large, small) : status;
 }
 
-mt_status mt_stand_aside(mt_mending *m) {
+mt_status mt_separate_parts(mt_mending *m) {
     mt_clusters clusters;
     mt_status status = gather(m, &clusters);
     for (int q = 1; status == MT_OK && q < m->morph->contour_count; q++)

@@ -23,17 +23,17 @@ static void count_part(int64_t area2, int *parts, int *crumbs) {
         ++*crumbs;
 }
 
-mt_census mt_census_of(const mt_shape *shape) {
-    mt_census census = {.area = thousandths(mt_shape_area2(shape)) / 1e6};
+mt_topology mt_topology_of(const mt_shape *shape) {
+    mt_topology topology = {.area = thousandths(mt_shape_area2(shape)) / 1e6};
     for (int k = 0; k < shape->count; k++) {
         const mt_component *component = &shape->components[k];
         if (!is_seam(&component->rings[0]))
-            count_part(mt_component_area2(component), &census.components, &census.crumbs);
+            count_part(mt_component_area2(component), &topology.components, &topology.crumbs);
         for (int i = 1; i < component->count; i++)
             if (!is_seam(&component->rings[i]))
-                count_part(-mt_ring_area2(&component->rings[i]), &census.holes, &census.crumbs);
+                count_part(-mt_ring_area2(&component->rings[i]), &topology.holes, &topology.crumbs);
     }
-    return census;
+    return topology;
 }
 
 /* ---- on the way ------------------------------------------------------------------------------------------ */
@@ -48,44 +48,44 @@ double mt_area_excess(double area, double a, double b) {
     return most > 0 ? fmax(0, fmax(area - most, least - area)) / most : 0;
 }
 
-double mt_census_place(const mt_morph *morph, int number) {
-    int from_half = (number + 1) / 2, half = (MT_CENSUS_STEPS + 1) / 2;
+double mt_topology_position(const mt_morph *morph, int number) {
+    int from_half = (number + 1) / 2, half = (MT_TOPOLOGY_STEPS + 1) / 2;
     bool before = (number % 2 != 0) == (mt_shape_area2(&morph->a.whole) >= mt_shape_area2(&morph->b.whole));
-    return (double)(before ? half - from_half : half + from_half) / (MT_CENSUS_STEPS + 1);
+    return (double)(before ? half - from_half : half + from_half) / (MT_TOPOLOGY_STEPS + 1);
 }
 
 static int fewer_than_both(int count, int a, int b) {
     return count < a && count < b ? mt_count_excess(count, a, b) : 0;
 }
 
-static mt_straying straying(const mt_census *at, const mt_census *a, const mt_census *b) {
-    return (mt_straying){.parts = mt_count_excess(at->components, a->components, b->components) +
-                                  mt_count_excess(at->holes, a->holes, b->holes),
-                         .merged = fewer_than_both(at->components, a->components, b->components),
-                         .opened = fewer_than_both(at->holes, a->holes, b->holes),
-                         .ink = mt_area_excess(at->area, a->area, b->area)};
+static mt_topology_error straying(const mt_topology *at, const mt_topology *a, const mt_topology *b) {
+    return (mt_topology_error){.parts = mt_count_excess(at->components, a->components, b->components) +
+                                        mt_count_excess(at->holes, a->holes, b->holes),
+                               .merged = fewer_than_both(at->components, a->components, b->components),
+                               .opened = fewer_than_both(at->holes, a->holes, b->holes),
+                               .ink = mt_area_excess(at->area, a->area, b->area)};
 }
 
-static mt_straying worse(mt_straying p, mt_straying q) {
+static mt_topology_error worse(mt_topology_error p, mt_topology_error q) {
     return q.parts > p.parts ? q : p;
 }
 
 /* At one place, flattened within the params' tolerance: as it is drawn and, where rings lie over one another, as it is meant. */
-static mt_status stray_at(const mt_morph *morph, const mt_census ends[2], double t, const mt_params *params,
-                          mt_arena *arena, mt_straying *by) {
+static mt_status stray_at(const mt_morph *morph, const mt_topology ends[2], double t, const mt_params *params,
+                          mt_arena *arena, mt_topology_error *by) {
     mt_arena_place before = mt_arena_mark(arena);
     mt_rings rings;
     mt_shape drawn, meant;
-    mt_census at;
+    mt_topology at;
     mt_status status = mt_morph_rings(morph, mt_weights_at(t), params, arena, &rings);
     if (status == MT_OK) status = mt_union(&rings, MT_NONZERO, arena, &drawn);
     if (status == MT_OK) {
-        at = mt_census_of(&drawn);
+        at = mt_topology_of(&drawn);
         *by = straying(&at, &ends[0], &ends[1]);
     }
     if (status == MT_OK && mt_component_area2(&rings) != mt_shape_area2(&drawn)) {
         status = mt_union(&rings, MT_POSITIVE, arena, &meant);
-        if (status == MT_OK) at = mt_census_of(&meant);
+        if (status == MT_OK) at = mt_topology_of(&meant);
         if (status == MT_OK) *by = worse(*by, straying(&at, &ends[0], &ends[1]));
     }
     if (status == MT_OK) by->corners = mt_rings_corners(&rings);
@@ -94,15 +94,15 @@ static mt_status stray_at(const mt_morph *morph, const mt_census ends[2], double
 }
 
 /* Chords may touch where the curves do not: what strays is looked at again, more finely. */
-mt_status mt_morph_strays(const mt_morph *morph, int enough, const mt_params *params, mt_arena *arena,
-                          mt_straying *by) {
-    const mt_census ends[] = {mt_census_of(&morph->a.whole), mt_census_of(&morph->b.whole)};
+mt_status mt_morph_topology_error(const mt_morph *morph, int enough, const mt_params *params, mt_arena *arena,
+                                  mt_topology_error *by) {
+    const mt_topology ends[] = {mt_topology_of(&morph->a.whole), mt_topology_of(&morph->b.whole)};
     mt_params fine = *params;
-    mt_straying all = {0};
+    mt_topology_error all = {0};
     fine.tolerance /= MT_OVERLAP_CARE;
-    for (int i = 0; all.parts < enough && i < MT_CENSUS_STEPS; i++) {
-        mt_straying here;
-        double t = mt_census_place(morph, i);
+    for (int i = 0; all.parts < enough && i < MT_TOPOLOGY_STEPS; i++) {
+        mt_topology_error here;
+        double t = mt_topology_position(morph, i);
         mt_status status = stray_at(morph, ends, t, params, arena, &here);
         if (status == MT_OK) all.corners += here.corners;
         if (status == MT_OK && here.parts > 0) {

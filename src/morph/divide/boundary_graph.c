@@ -4,7 +4,7 @@
 
 #include "geometry/limits.h"
 
-/* ---- stops ----------------------------------------------------------------------------------------------------- */
+/* ---- samples ----------------------------------------------------------------------------------------------------- */
 
 static int parts_of(mt_point a, mt_point b, double step) {
     return 1 + (int)(sqrt((double)mt_distance2(a, b)) / step);
@@ -39,7 +39,7 @@ static mt_status refine(const mt_ring *ring, double step, mt_arena *arena, mt_ri
     return MT_OK;
 }
 
-static int64_t stops_in(const mt_component *component, double step) {
+static int64_t samples_in(const mt_component *component, double step) {
     int64_t total = 0;
     for (int r = 0; r < component->count; r++) {
         const mt_ring *ring = &component->rings[r];
@@ -49,45 +49,46 @@ static int64_t stops_in(const mt_component *component, double step) {
     return total;
 }
 
-static mt_status view_ring(const mt_ring *ring, double chord, int first, mt_arena *arena, mt_border *border) {
+static mt_status view_ring(const mt_ring *ring, double flatness, int first, mt_arena *arena,
+                           mt_boundary *boundary) {
     mt_trace trace;
-    mt_status status = mt_trace_ring(ring, chord, arena, &trace);
+    mt_status status = mt_trace_ring(ring, flatness, arena, &trace);
     if (status != MT_OK) return status;
     for (int i = 0; i < ring->count; i++) {
-        mt_stop stop = {.x = ring->points[i].x,
-                        .y = ring->points[i].y,
-                        .in = mt_trace_in(&trace, i),
-                        .out = mt_trace_out(&trace, i)};
-        border->views[first + i] = mt_view_of(&stop, border->box);
-        border->places[first + i] = ring->points[i];
-        border->length[first + i] = trace.length[i] / MT_EM;
-        border->along[first + i] = i ? border->along[first + i - 1] + border->length[first + i - 1] : 0;
+        mt_ring_sample sample = {.x = ring->points[i].x,
+                                 .y = ring->points[i].y,
+                                 .in = mt_trace_in(&trace, i),
+                                 .out = mt_trace_out(&trace, i)};
+        boundary->views[first + i] = mt_sample_view_of(&sample, boundary->box);
+        boundary->places[first + i] = ring->points[i];
+        boundary->length[first + i] = trace.length[i] / MT_EM;
+        boundary->along[first + i] = i ? boundary->along[first + i - 1] + boundary->length[first + i - 1] : 0;
     }
     return MT_OK;
 }
 
-static mt_status add_component(const mt_component *component, int c, double chord, double step,
-                               mt_arena *arena, mt_border *border) {
+static mt_status add_component(const mt_component *component, int c, double flatness, double step,
+                               mt_arena *arena, mt_boundary *boundary) {
     mt_component fine = {component->count, mt_arena_new(arena, (size_t)component->count, sizeof(mt_ring))};
-    int first = border->first_stop[c];
-    border->drawn[c] = mt_arena_new(arena, (size_t)(border->first_stop[c + 1] - first), sizeof(bool));
-    if (!fine.rings || !border->drawn[c]) return MT_NO_MEMORY;
+    int first = boundary->first_sample[c];
+    boundary->drawn[c] = mt_arena_new(arena, (size_t)(boundary->first_sample[c + 1] - first), sizeof(bool));
+    if (!fine.rings || !boundary->drawn[c]) return MT_NO_MEMORY;
     mt_status status = MT_OK;
     for (int r = 0, at = first; status == MT_OK && r < component->count; r++) {
-        status = refine(&component->rings[r], step, arena, &fine.rings[r], border->drawn[c] + (at - first));
-        if (status == MT_OK) status = view_ring(&fine.rings[r], chord, at, arena, border);
+        status = refine(&component->rings[r], step, arena, &fine.rings[r], boundary->drawn[c] + (at - first));
+        if (status == MT_OK) status = view_ring(&fine.rings[r], flatness, at, arena, boundary);
         at += fine.rings[r].count;
-        border->first_of_ring[++border->ring_count] = at;
+        boundary->first_of_ring[++boundary->ring_count] = at;
     }
-    return status == MT_OK ? mt_triangulate(&fine, arena, &border->meshes[c]) : status;
+    return status == MT_OK ? mt_triangulate(&fine, arena, &boundary->meshes[c]) : status;
 }
 
-/* ---- bridges ----------------------------------------------------------------------------------------------------- */
+/* ---- chords ----------------------------------------------------------------------------------------------------- */
 
-#define EAR 0.02           /* em */
-#define EAR_SHARE 2.0      /* of the diagonal's length */
-#define BRIDGE_PRICE 1.0   /* for crossing at all … */
-#define BRIDGE_EM_PRICE 10 /* … and for each em of the way */
+#define EAR 0.02         /* em */
+#define EAR_SHARE 2.0    /* of the diagonal's length */
+#define CHORD_COST 1.0   /* for crossing at all … */
+#define CHORD_EM_COST 10 /* … and for each em of the way */
 
 static int edge_end(const mt_mesh *mesh, int e) {
     return mesh->start[mt_mesh_after(e)];
@@ -97,90 +98,92 @@ static double diagonal_length(const mt_mesh *mesh, int e) {
     return sqrt((double)mt_distance2(mesh->points[mesh->start[e]], mesh->points[edge_end(mesh, e)]));
 }
 
-/* How far it is from one stop to another along their ring, the shorter way; INFINITY between rings. */
-static double way_round(const mt_border *b, int from, int to) {
-    int ring = mt_border_ring(b, from);
+/* How far it is from one sample to another along their ring, the shorter way; INFINITY between rings. */
+static double way_round(const mt_boundary *b, int from, int to) {
+    int ring = mt_boundary_ring(b, from);
     if (to < b->first_of_ring[ring] || to >= b->first_of_ring[ring + 1]) return INFINITY;
     int last = b->first_of_ring[ring + 1] - 1;
     double whole = b->along[last] + b->length[last], way = fabs(b->along[from] - b->along[to]);
     return fmin(way, whole - way);
 }
 
-/* Whether a diagonal only cuts a corner off: the border between its ends is hardly longer. */
-static bool is_ear(const mt_border *b, int from, int to, double length) {
+/* Whether a diagonal only cuts a corner off: the boundary between its ends is hardly longer. */
+static bool is_ear(const mt_boundary *b, int from, int to, double length) {
     return way_round(b, from, to) < EAR_SHARE * length / MT_EM + EAR;
 }
 
-/* Counts the bridges of component c, or writes them when there is room for them. */
-static void list_bridges(mt_border *border, int c, double reach, int *next) {
-    const mt_mesh *mesh = &border->meshes[c];
+/* Counts the chords of component c, or writes them when there is room for them. */
+static void list_chords(mt_boundary *boundary, int c, double reach, int *next) {
+    const mt_mesh *mesh = &boundary->meshes[c];
     for (int e = 0; e < 3 * mesh->triangle_count; e++) {
         double length = diagonal_length(mesh, e);
         if (mesh->twin[e] < 0 || length > reach) continue;
-        int from = border->first_stop[c] + mesh->start[e], to = border->first_stop[c] + edge_end(mesh, e);
-        if (is_ear(border, from, to, length)) continue;
-        if (border->bridges)
-            border->bridges[next[from]] = (mt_bridge){to, e, BRIDGE_PRICE + BRIDGE_EM_PRICE * length / MT_EM};
+        int from = boundary->first_sample[c] + mesh->start[e],
+            to = boundary->first_sample[c] + edge_end(mesh, e);
+        if (is_ear(boundary, from, to, length)) continue;
+        if (boundary->chords)
+            boundary->chords[next[from]] = (mt_chord){to, e, CHORD_COST + CHORD_EM_COST * length / MT_EM};
         next[from]++;
     }
 }
 
-/* ---- leaps ------------------------------------------------------------------------------------------------------- */
+/* ---- jumps ------------------------------------------------------------------------------------------------------- */
 
-#define LEAP_REACH 0.15  /* em */
-#define LEAP_PRICE 1.0   /* for leaping at all … */
-#define LEAP_EM_PRICE 10 /* … and for each em of the way */
+#define JUMP_REACH 0.15 /* em */
+#define JUMP_COST 1.0   /* for leaping at all … */
+#define JUMP_EM_COST 10 /* … and for each em of the way */
 
 /* How far a place is from a component's box, em. */
-static double outside(const mt_border *b, int c, mt_point place) {
+static double outside(const mt_boundary *b, int c, mt_point place) {
     mt_box box = b->boxes[c];
     double x = fmax(0, fmax((double)box.min.x - place.x, (double)place.x - box.max.x));
     double y = fmax(0, fmax((double)box.min.y - place.y, (double)place.y - box.max.y));
     return sqrt(x * x + y * y) / MT_EM;
 }
 
-/* The stop of component c that is nearest to a stop of another one, near enough to leap to; -1 where none is. */
-static int nearest_of(const mt_border *b, int c, int stop) {
-    mt_point place = b->places[stop];
-    if (outside(b, c, place) > LEAP_REACH) return -1;
-    int best = b->first_stop[c];
-    for (int i = best + 1; i < b->first_stop[c + 1]; i++)
+/* The sample of component c that is nearest to a sample of another one, near enough to jump to; -1 where none is. */
+static int nearest_of(const mt_boundary *b, int c, int sample) {
+    mt_point place = b->places[sample];
+    if (outside(b, c, place) > JUMP_REACH) return -1;
+    int best = b->first_sample[c];
+    for (int i = best + 1; i < b->first_sample[c + 1]; i++)
         if (mt_distance2(b->places[i], place) < mt_distance2(b->places[best], place)) best = i;
-    return mt_border_distance(b, stop, best) <= LEAP_REACH ? best : -1;
+    return mt_boundary_distance(b, sample, best) <= JUMP_REACH ? best : -1;
 }
 
-/* Counts the leaps between two components, or writes them when there is room: between stops that are nearest to one another. */
-static void list_leaps(mt_border *b, int c, int d, int *next) {
-    for (int i = b->first_stop[c]; i < b->first_stop[c + 1]; i++) {
+/* Counts the jumps between two components, or writes them when there is room: between samples that are nearest to one another. */
+static void list_jumps(mt_boundary *b, int c, int d, int *next) {
+    for (int i = b->first_sample[c]; i < b->first_sample[c + 1]; i++) {
         int k = nearest_of(b, d, i);
         if (k < 0 || nearest_of(b, c, k) != i) continue;
-        double price = LEAP_PRICE + LEAP_EM_PRICE * mt_border_distance(b, i, k);
-        if (b->bridges) b->bridges[next[i]] = (mt_bridge){k, -1, price};
-        if (b->bridges) b->bridges[next[k]] = (mt_bridge){i, -1, price};
+        double cost = JUMP_COST + JUMP_EM_COST * mt_boundary_distance(b, i, k);
+        if (b->chords) b->chords[next[i]] = (mt_chord){k, -1, cost};
+        if (b->chords) b->chords[next[k]] = (mt_chord){i, -1, cost};
         next[i]++;
         next[k]++;
     }
 }
 
-static void list_all(mt_border *border, double reach, bool leaps, int *next) {
-    for (int c = 0; c < border->component_count; c++) {
-        list_bridges(border, c, reach, next);
-        for (int d = 0; leaps && d < c; d++) list_leaps(border, c, d, next);
+static void list_all(mt_boundary *boundary, double reach, bool jumps, int *next) {
+    for (int c = 0; c < boundary->component_count; c++) {
+        list_chords(boundary, c, reach, next);
+        for (int d = 0; jumps && d < c; d++) list_jumps(boundary, c, d, next);
     }
 }
 
-static mt_status add_bridges(mt_border *border, double reach, bool leaps, mt_arena *arena) {
-    int *next = mt_arena_new(arena, (size_t)border->count + 1, sizeof *next);
-    border->first_bridge = mt_arena_new(arena, (size_t)border->count + 1, sizeof(int));
-    if (!next || !border->first_bridge) return MT_NO_MEMORY;
-    list_all(border, reach, leaps, next);
-    for (int i = 0; i < border->count; i++) {
-        border->first_bridge[i + 1] = border->first_bridge[i] + next[i];
-        next[i] = border->first_bridge[i];
+static mt_status add_chords(mt_boundary *boundary, double reach, bool jumps, mt_arena *arena) {
+    int *next = mt_arena_new(arena, (size_t)boundary->count + 1, sizeof *next);
+    boundary->first_chord = mt_arena_new(arena, (size_t)boundary->count + 1, sizeof(int));
+    if (!next || !boundary->first_chord) return MT_NO_MEMORY;
+    list_all(boundary, reach, jumps, next);
+    for (int i = 0; i < boundary->count; i++) {
+        boundary->first_chord[i + 1] = boundary->first_chord[i] + next[i];
+        next[i] = boundary->first_chord[i];
     }
-    border->bridges = mt_arena_new(arena, (size_t)border->first_bridge[border->count] + 1, sizeof(mt_bridge));
-    if (!border->bridges) return MT_NO_MEMORY;
-    list_all(border, reach, leaps, next);
+    boundary->chords =
+        mt_arena_new(arena, (size_t)boundary->first_chord[boundary->count] + 1, sizeof(mt_chord));
+    if (!boundary->chords) return MT_NO_MEMORY;
+    list_all(boundary, reach, jumps, next);
     return MT_OK;
 }
 
@@ -199,64 +202,64 @@ static int run_of(const int *first, int count, int item) {
     return low;
 }
 
-int mt_border_ring(const mt_border *border, int stop) {
-    return run_of(border->first_of_ring, border->ring_count, stop);
+int mt_boundary_ring(const mt_boundary *boundary, int sample) {
+    return run_of(boundary->first_of_ring, boundary->ring_count, sample);
 }
 
-int mt_bridge_source(const mt_border *border, int bridge) {
-    /* of the stops that have none, which begin where the next begins, the last one is found: the one that has it */
-    return run_of(border->first_bridge, border->count, bridge);
+int mt_chord_source(const mt_boundary *boundary, int chord) {
+    /* of the samples that have none, which begin where the next begins, the last one is found: the one that has it */
+    return run_of(boundary->first_chord, boundary->count, chord);
 }
 
-int mt_bridge_back(const mt_border *border, int bridge) {
-    int from = mt_bridge_source(border, bridge), to = border->bridges[bridge].to,
-        back = border->first_bridge[to];
-    while (border->bridges[back].to != from) back++;
+int mt_chord_back(const mt_boundary *boundary, int chord) {
+    int from = mt_chord_source(boundary, chord), to = boundary->chords[chord].to,
+        back = boundary->first_chord[to];
+    while (boundary->chords[back].to != from) back++;
     return back;
 }
 
-double mt_border_distance(const mt_border *border, int i, int j) {
-    return sqrt((double)mt_distance2(border->places[i], border->places[j])) / MT_EM;
+double mt_boundary_distance(const mt_boundary *boundary, int i, int j) {
+    return sqrt((double)mt_distance2(boundary->places[i], boundary->places[j])) / MT_EM;
 }
 
-double mt_bridge_length(const mt_border *border, int bridge) {
-    return mt_border_distance(border, mt_bridge_source(border, bridge), border->bridges[bridge].to);
+double mt_chord_length(const mt_boundary *boundary, int chord) {
+    return mt_boundary_distance(boundary, mt_chord_source(boundary, chord), boundary->chords[chord].to);
 }
 
-static mt_status start_border(const mt_shape *shape, double step, mt_arena *arena, mt_border *made) {
+static mt_status start_boundary(const mt_shape *shape, double step, mt_arena *arena, mt_boundary *made) {
     size_t parts = (size_t)shape->count, rings = 0;
-    int64_t stops = 0;
+    int64_t samples = 0;
     made->component_count = shape->count;
     made->meshes = mt_arena_new(arena, parts, sizeof *made->meshes);
     made->drawn = mt_arena_new(arena, parts, sizeof *made->drawn);
     made->boxes = mt_arena_new(arena, parts, sizeof *made->boxes);
-    made->first_stop = mt_arena_new(arena, parts + 1, sizeof *made->first_stop);
-    if (!made->meshes || !made->drawn || !made->boxes || !made->first_stop) return MT_NO_MEMORY;
+    made->first_sample = mt_arena_new(arena, parts + 1, sizeof *made->first_sample);
+    if (!made->meshes || !made->drawn || !made->boxes || !made->first_sample) return MT_NO_MEMORY;
     for (int c = 0; c < shape->count; c++) {
         made->boxes[c] = mt_ring_box(&shape->components[c].rings[0]);
         rings += (size_t)shape->components[c].count;
-        stops += stops_in(&shape->components[c], step);
-        if (stops > MT_POINTS_MAX) return MT_TOO_LARGE;
-        made->first_stop[c + 1] = (int)stops;
+        samples += samples_in(&shape->components[c], step);
+        if (samples > MT_POINTS_MAX) return MT_TOO_LARGE;
+        made->first_sample[c + 1] = (int)samples;
     }
-    made->count = (int)stops;
+    made->count = (int)samples;
     made->first_of_ring = mt_arena_new(arena, rings + 1, sizeof *made->first_of_ring);
-    made->views = mt_arena_new(arena, (size_t)stops, sizeof *made->views);
-    made->places = mt_arena_new(arena, (size_t)stops, sizeof *made->places);
-    made->length = mt_arena_new(arena, (size_t)stops, sizeof *made->length);
-    made->along = mt_arena_new(arena, (size_t)stops, sizeof *made->along);
+    made->views = mt_arena_new(arena, (size_t)samples, sizeof *made->views);
+    made->places = mt_arena_new(arena, (size_t)samples, sizeof *made->places);
+    made->length = mt_arena_new(arena, (size_t)samples, sizeof *made->length);
+    made->along = mt_arena_new(arena, (size_t)samples, sizeof *made->along);
     return made->first_of_ring && made->views && made->places && made->length && made->along ? MT_OK
                                                                                              : MT_NO_MEMORY;
 }
 
-mt_status mt_border_of(const mt_shape *shape, mt_box box, const mt_manner *manner, double reach,
-                       mt_arena *arena, mt_border *border) {
-    mt_border made = {.box = box};
-    double step = mt_grid_units(manner->step);
-    mt_status status = start_border(shape, step, arena, &made);
+mt_status mt_boundary_of(const mt_shape *shape, mt_box box, const mt_settings *settings, double reach,
+                         mt_arena *arena, mt_boundary *boundary) {
+    mt_boundary made = {.box = box};
+    double step = mt_grid_units(settings->step);
+    mt_status status = start_boundary(shape, step, arena, &made);
     for (int c = 0; status == MT_OK && c < shape->count; c++)
-        status = add_component(&shape->components[c], c, manner->chord, step, arena, &made);
-    if (status == MT_OK) status = add_bridges(&made, reach, manner->leaps, arena);
-    if (status == MT_OK) *border = made;
+        status = add_component(&shape->components[c], c, settings->flatness, step, arena, &made);
+    if (status == MT_OK) status = add_chords(&made, reach, settings->jumps, arena);
+    if (status == MT_OK) *boundary = made;
     return status;
 }

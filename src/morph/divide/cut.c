@@ -3,12 +3,12 @@
 typedef struct mt_cutting {
     const mt_stencil *ink;
     mt_arena *arena;
-    int *share_of;
+    int *part_of;
     bool *end;    /* each vertex: of a cut */
     bool *traced; /* each half-edge */
 } mt_cutting;
 
-/* Whether there is no ink of the same share beyond a half-edge, or only across a cut. */
+/* Whether there is no ink of the same part beyond a half-edge, or only across a cut. */
 static bool is_shore(const mt_cutting *k, int e) {
     return k->ink->mesh->twin[e] < 0 || k->ink->cut[e];
 }
@@ -17,18 +17,18 @@ static mt_status flood(mt_cutting *k, int *count) {
     const mt_mesh *mesh = k->ink->mesh;
     int *stack = mt_arena_new(k->arena, (size_t)mesh->triangle_count, sizeof *stack);
     if (!stack) return MT_NO_MEMORY;
-    for (int t = 0; t < mesh->triangle_count; t++) k->share_of[t] = -1;
+    for (int t = 0; t < mesh->triangle_count; t++) k->part_of[t] = -1;
     *count = 0;
     for (int t = 0; t < mesh->triangle_count; t++) {
-        if (k->share_of[t] >= 0) continue;
+        if (k->part_of[t] >= 0) continue;
         int depth = 0;
         stack[depth++] = t;
-        k->share_of[t] = *count;
+        k->part_of[t] = *count;
         while (depth > 0) {
             int u = stack[--depth];
             for (int e = 3 * u; e < 3 * u + 3; e++) {
-                if (is_shore(k, e) || k->share_of[mesh->twin[e] / 3] >= 0) continue;
-                k->share_of[mesh->twin[e] / 3] = *count;
+                if (is_shore(k, e) || k->part_of[mesh->twin[e] / 3] >= 0) continue;
+                k->part_of[mesh->twin[e] / 3] = *count;
                 stack[depth++] = mesh->twin[e] / 3;
             }
         }
@@ -67,29 +67,29 @@ static mt_status trace_shore(mt_cutting *k, int first, mt_ring *ring) {
     return MT_OK;
 }
 
-/* All shores of one share, and the outer one of them, which alone runs anticlockwise, in front. */
-static mt_status take_share(mt_cutting *k, int number, mt_component *share) {
+/* All shores of one part, and the outer one of them, which alone runs anticlockwise, in front. */
+static mt_status take_part(mt_cutting *k, int number, mt_component *part) {
     const mt_mesh *mesh = k->ink->mesh;
     int edges = 3 * mesh->triangle_count;
-    *share = (mt_component){0, mt_arena_new(k->arena, (size_t)mesh->vertex_count, sizeof(mt_ring))};
-    if (!share->rings) return MT_NO_MEMORY;
+    *part = (mt_component){0, mt_arena_new(k->arena, (size_t)mesh->vertex_count, sizeof(mt_ring))};
+    if (!part->rings) return MT_NO_MEMORY;
     for (int e = 0; e < edges; e++) {
-        if (k->share_of[e / 3] != number || !is_shore(k, e) || k->traced[e]) continue;
+        if (k->part_of[e / 3] != number || !is_shore(k, e) || k->traced[e]) continue;
         mt_ring ring;
         mt_status status = trace_shore(k, e, &ring);
         if (status != MT_OK) return status;
-        share->rings[share->count++] = ring;
-        if (mt_ring_area2(&ring) <= mt_ring_area2(&share->rings[0])) continue;
-        share->rings[share->count - 1] = share->rings[0];
-        share->rings[0] = ring;
+        part->rings[part->count++] = ring;
+        if (mt_ring_area2(&ring) <= mt_ring_area2(&part->rings[0])) continue;
+        part->rings[part->count - 1] = part->rings[0];
+        part->rings[0] = ring;
     }
     return MT_OK;
 }
 
-mt_status mt_cut(const mt_stencil *ink, mt_arena *arena, mt_shape *shares, int *share_of) {
+mt_status mt_cut(const mt_stencil *ink, mt_arena *arena, mt_shape *parts, int *part_of) {
     const mt_mesh *mesh = ink->mesh;
     size_t edges = 3 * (size_t)mesh->triangle_count;
-    mt_cutting k = {.ink = ink, .arena = arena, .share_of = share_of};
+    mt_cutting k = {.ink = ink, .arena = arena, .part_of = part_of};
     k.end = mt_arena_new(arena, (size_t)mesh->vertex_count, sizeof *k.end);
     k.traced = mt_arena_new(arena, edges, sizeof *k.traced);
     if (!k.end || !k.traced) return MT_NO_MEMORY;
@@ -99,7 +99,7 @@ mt_status mt_cut(const mt_stencil *ink, mt_arena *arena, mt_shape *shares, int *
     if (status != MT_OK) return status;
     made.components = mt_arena_new(arena, (size_t)made.count, sizeof(mt_component));
     if (!made.components) return MT_NO_MEMORY;
-    for (int i = 0; status == MT_OK && i < made.count; i++) status = take_share(&k, i, &made.components[i]);
-    if (status == MT_OK) *shares = made;
+    for (int i = 0; status == MT_OK && i < made.count; i++) status = take_part(&k, i, &made.components[i]);
+    if (status == MT_OK) *parts = made;
     return status;
 }

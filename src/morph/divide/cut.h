@@ -1,6 +1,6 @@
 /* Cutting a triangulated component along some of its diagonals. */
-#ifndef MT_CUT_H
-#define MT_CUT_H
+#ifndef MT_MORPH_DIVIDE_CUT_H
+#define MT_MORPH_DIVIDE_CUT_H
 
 #include "geometry/triangulate.h"
 
@@ -11,10 +11,10 @@ typedef struct mt_stencil {
     const bool *cut;   /* each half-edge */
 } mt_stencil;
 
-/* What comes of it: a cut from one ring to another opens a hole, one from a ring to itself parts the component. Each share is a
+/* What comes of it: a cut from one ring to another opens a hole, one from a ring to itself parts the component. Each part is a
  * component, outer ring first; together they have the same ink, but for what the rounding of a
- * cut's ends on slanted edges makes of it. Both ends of a cut are corners of both shares, and vertices that
- * were not drawn are left out but for these. share_of[t] is the share of triangle t. MT_NO_MEMORY. */
-mt_status mt_cut(const mt_stencil *ink, mt_arena *arena, mt_shape *shares, int *share_of);
+ * cut's ends on slanted edges makes of it. Both ends of a cut are corners of both parts, and vertices that
+ * were not drawn are left out but for these. part_of[t] is the part of triangle t. MT_NO_MEMORY. */
+mt_status mt_cut(const mt_stencil *ink, mt_arena *arena, mt_shape *parts, int *part_of);
 
 #endif

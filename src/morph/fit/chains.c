@@ -18,7 +18,7 @@ typedef enum mt_node {
     NODE_INNER,
 } mt_node;
 
-typedef struct mt_bench {
+typedef struct mt_smooth_state {
     const mt_track *track;
     const int *steps;
     double tolerance;
@@ -26,23 +26,23 @@ typedef struct mt_bench {
     const mt_contour *masters[2];
     mt_contour made[2];
     mt_node *nodes; /* at the end of each segment */
-} mt_bench;
+} mt_smooth_state;
 
 /* Segments first … first + count - 1 of the masters, all of them curves. */
-typedef struct mt_stretch {
+typedef struct mt_curve_run {
     int first, count;
-} mt_stretch;
+} mt_curve_run;
 
-static int around(const mt_bench *b, int k) {
+static int around(const mt_smooth_state *b, int k) {
     int n = b->masters[0]->count;
     return (k % n + n) % n;
 }
 
-static const mt_segment *segment(const mt_bench *b, int m, int k) {
+static const mt_segment *segment(const mt_smooth_state *b, int m, int k) {
     return &b->masters[m]->segments[around(b, k)];
 }
 
-static bool is_line(const mt_bench *b, int k) {
+static bool is_line(const mt_smooth_state *b, int k) {
     return segment(b, 0, k)->degree == 1;
 }
 
@@ -60,12 +60,12 @@ static double length(mt_vec v) {
 
 /* ---- nodes ----------------------------------------------------------------------------------------------- */
 
-static mt_vec way_of(const mt_bench *b, int m, int k) {
+static mt_vec way_of(const mt_smooth_state *b, int m, int k) {
     return from_to(segment(b, m, k - 1)->end, segment(b, m, k)->end);
 }
 
 /* How a master leaves node k; where it waits, how it goes on then. */
-static mt_vec leaving(const mt_bench *b, int m, int k) {
+static mt_vec leaving(const mt_smooth_state *b, int m, int k) {
     mt_point at = segment(b, m, k)->end;
     for (int i = k + 1; i <= k + b->masters[m]->count; i++) {
         const mt_segment *next = segment(b, m, i);
@@ -79,26 +79,26 @@ static double degrees_between(mt_vec u, mt_vec v) {
     return fabs(atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y)) * (180 / M_PI);
 }
 
-static mt_node node_at(const mt_bench *b, int k) {
+static mt_node node_at(const mt_smooth_state *b, int k) {
     if (!mt_is_smooth(b->masters[0], k) || !mt_is_smooth(b->masters[1], k)) return NODE_FIXED;
     if (degrees_between(leaving(b, 0, k), leaving(b, 1, k)) <= KINK_TURN) return NODE_FIXED;
     if (is_line(b, k) && is_line(b, k + 1)) return NODE_FIXED;
     return is_line(b, k) || is_line(b, k + 1) ? NODE_LINE : NODE_INNER;
 }
 
-static bool has_kink(const mt_bench *b, int k) {
+static bool has_kink(const mt_smooth_state *b, int k) {
     return b->nodes[around(b, k)] != NODE_FIXED && mt_kink(b->masters, around(b, k)) > KINK_TURN;
 }
 
 /* ---- a stretch as a chain -------------------------------------------------------------------------------- */
 
-static mt_stretch stretch_from(const mt_bench *b, int first) {
-    mt_stretch s = {first, 1};
+static mt_curve_run stretch_from(const mt_smooth_state *b, int first) {
+    mt_curve_run s = {first, 1};
     while (b->nodes[around(b, first + s.count - 1)] == NODE_INNER) s.count++;
     return s;
 }
 
-static bool needs_mending(const mt_bench *b, mt_stretch s) {
+static bool needs_mending(const mt_smooth_state *b, mt_curve_run s) {
     for (int k = s.first - 1; k < s.first + s.count; k++)
         if (has_kink(b, k)) return true;
     return false;
@@ -110,7 +110,7 @@ static mt_vec unit(mt_vec v) {
 }
 
 /* The end of a chain at node k, with curve `beside` on the chain's side and segment `beyond` on the other. */
-static mt_anchorage anchorage(const mt_bench *b, int m, int k, int beside, int beyond) {
+static mt_anchorage anchorage(const mt_smooth_state *b, int m, int k, int beside, int beyond) {
     mt_point at = segment(b, m, k)->end, control = segment(b, m, beside)->control[0];
     bool first = beside > k;
     mt_anchorage end = {.at = vec(at)};
@@ -127,7 +127,7 @@ static mt_anchorage anchorage(const mt_bench *b, int m, int k, int beside, int b
     return end;
 }
 
-static double share_at(const mt_bench *b, int k) {
+static double share_at(const mt_smooth_state *b, int k) {
     double sum = 0;
     int count = 0;
     for (int m = 0; m < 2; m++) {
@@ -141,7 +141,7 @@ static double share_at(const mt_bench *b, int k) {
     return count ? sum / count : 0.5;
 }
 
-static mt_status chain_of(const mt_bench *b, mt_stretch s, mt_chain *chain) {
+static mt_status chain_of(const mt_smooth_state *b, mt_curve_run s, mt_chain *chain) {
     int last = s.first + s.count - 1;
     *chain = (mt_chain){.count = s.count, .room = s.count + EXTRA};
     chain->share = mt_arena_new(b->arena, (size_t)chain->room, sizeof(double));
@@ -158,7 +158,7 @@ static mt_status chain_of(const mt_bench *b, mt_stretch s, mt_chain *chain) {
 }
 
 /* The samples of one master strictly between the ends of a stretch, each place once. */
-static mt_status run_of(const mt_bench *b, mt_stretch s, int m, mt_run *run) {
+static mt_status run_of(const mt_smooth_state *b, mt_curve_run s, int m, mt_run *run) {
     const mt_track *track = b->track;
     int first = b->steps[around(b, s.first - 1)] % track->count,
         count = (b->steps[around(b, s.first + s.count - 1)] - first) % track->count;
@@ -184,7 +184,7 @@ static mt_point rounded(mt_vec p) {
     return (mt_point){(int32_t)lround(p.x), (int32_t)lround(p.y)};
 }
 
-static void add_chain(mt_bench *b, const mt_chain *chain) {
+static void add_chain(mt_smooth_state *b, const mt_chain *chain) {
     for (int m = 0; m < 2; m++)
         for (int k = 0; k < chain->count; k++)
             b->made[m].segments[b->made[m].count++] =
@@ -193,13 +193,13 @@ static void add_chain(mt_bench *b, const mt_chain *chain) {
                              .end = rounded(mt_chain_node(chain, m, k + 1))};
 }
 
-static void add_stretch(mt_bench *b, mt_stretch s) {
+static void add_stretch(mt_smooth_state *b, mt_curve_run s) {
     for (int m = 0; m < 2; m++)
         for (int k = 0; k < s.count; k++)
             b->made[m].segments[b->made[m].count++] = *segment(b, m, s.first + k);
 }
 
-static mt_status mend(mt_bench *b, mt_stretch s) {
+static mt_status mend(mt_smooth_state *b, mt_curve_run s) {
     mt_arena_place place = mt_arena_mark(b->arena);
     mt_chain chain;
     mt_run runs[2];
@@ -216,7 +216,7 @@ static mt_status mend(mt_bench *b, mt_stretch s) {
 }
 
 /* The segment after a node that is not inner. Where all are, that after the one that heads most nearly the same way in both. */
-static int first_segment(mt_bench *b) {
+static int first_segment(mt_smooth_state *b) {
     int best = 0, n = b->masters[0]->count;
     double least = INFINITY;
     for (int k = 0; k < n; k++) {
@@ -231,7 +231,7 @@ static int first_segment(mt_bench *b) {
 }
 
 /* Room for what each curve may become. */
-static mt_status start(mt_bench *b) {
+static mt_status start(mt_smooth_state *b) {
     size_t n = (size_t)b->masters[0]->count;
     b->nodes = mt_arena_new(b->arena, n, sizeof *b->nodes);
     if (!b->nodes) return MT_NO_MEMORY;
@@ -244,13 +244,13 @@ static mt_status start(mt_bench *b) {
 }
 
 mt_status mt_chains_smooth(const mt_track *track, const int *steps, double tolerance, mt_arena *arena,
-                           mt_masters *masters) {
-    mt_bench b = {track, steps, tolerance, arena, {&masters->a, &masters->b}, {{0}}, NULL};
+                           mt_contour_pair *masters) {
+    mt_smooth_state b = {track, steps, tolerance, arena, {&masters->a, &masters->b}, {{0}}, NULL};
     if (masters->a.count < 2) return MT_OK;
     mt_status status = start(&b);
     int n = masters->a.count, first = first_segment(&b);
     for (int k = first; status == MT_OK && k < first + n;) {
-        mt_stretch s = is_line(&b, k) ? (mt_stretch){k, 1} : stretch_from(&b, k);
+        mt_curve_run s = is_line(&b, k) ? (mt_curve_run){k, 1} : stretch_from(&b, k);
         if (!is_line(&b, k) && needs_mending(&b, s))
             status = mend(&b, s);
         else

@@ -1,6 +1,6 @@
 /* Runs of curves that are smooth on the whole way. */
-#ifndef MT_CHAINS_H
-#define MT_CHAINS_H
+#ifndef MT_MORPH_FIT_CHAINS_H
+#define MT_MORPH_FIT_CHAINS_H
 
 #include "geometry/spline.h"
 #include "morph/model/morph.h"
@@ -15,6 +15,6 @@ typedef struct mt_track {
  * that cannot have a kink, together (geometry/chain.h). Segment i of the masters ends at step steps[i]. Where that takes too
  * many segments, the curves stay as they are. MT_NO_MEMORY. */
 mt_status mt_chains_smooth(const mt_track *track, const int *steps, double tolerance, mt_arena *arena,
-                           mt_masters *masters);
+                           mt_contour_pair *masters);
 
 #endif

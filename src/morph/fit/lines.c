@@ -10,7 +10,7 @@
 /* … where as a line it would make a kink of more than so many degrees on the way. */
 #define KINK_TURN 0.5
 
-static mt_contour *master(mt_masters *masters, int m) {
+static mt_contour *master(mt_contour_pair *masters, int m) {
     return m == 0 ? &masters->a : &masters->b;
 }
 
@@ -23,7 +23,7 @@ static bool is_on_way(mt_point a, mt_point p, mt_point b, double tolerance) {
 }
 
 /* Whether segments first … last are one line from node first - 1 on. */
-static bool is_one_line(mt_masters *masters, int first, int last, double tolerance) {
+static bool is_one_line(mt_contour_pair *masters, int first, int last, double tolerance) {
     int n = masters->a.count;
     for (int m = 0; m < 2; m++) {
         const mt_segment *s = master(masters, m)->segments;
@@ -35,7 +35,7 @@ static bool is_one_line(mt_masters *masters, int first, int last, double toleran
 }
 
 /* Whether segments first … last, which are one line, lead anywhere in either master. */
-static bool has_length(mt_masters *masters, int first, int last) {
+static bool has_length(mt_contour_pair *masters, int first, int last) {
     int n = masters->a.count;
     for (int m = 0; m < 2; m++) {
         const mt_segment *s = master(masters, m)->segments;
@@ -44,13 +44,13 @@ static bool has_length(mt_masters *masters, int first, int last) {
     return false;
 }
 
-static void keep(mt_masters *masters, int *steps, int from, int to) {
+static void keep(mt_contour_pair *masters, int *steps, int from, int to) {
     masters->a.segments[to] = masters->a.segments[from];
     masters->b.segments[to] = masters->b.segments[from];
     steps[to] = steps[from];
 }
 
-static void join_lines(mt_masters *masters, int *steps, double tolerance) {
+static void join_lines(mt_contour_pair *masters, int *steps, double tolerance) {
     int made = 0, n = masters->a.count;
     for (int first = 0, last; first < n; first = last + 1) {
         bool line = masters->a.segments[first].degree == 1;
@@ -62,7 +62,7 @@ static void join_lines(mt_masters *masters, int *steps, double tolerance) {
 
 /* ---- lines that are none --------------------------------------------------------------------------------- */
 
-static bool is_short(mt_masters *masters, int k) {
+static bool is_short(mt_contour_pair *masters, int k) {
     int n = masters->a.count;
     for (int m = 0; m < 2; m++) {
         const mt_segment *s = master(masters, m)->segments;
@@ -73,7 +73,7 @@ static bool is_short(mt_masters *masters, int k) {
 }
 
 /* Whether a line makes a kink with what is before or after it, and a corner with neither. */
-static bool is_kinked(mt_masters *masters, int k) {
+static bool is_kinked(mt_contour_pair *masters, int k) {
     const mt_contour *const both[2] = {&masters->a, &masters->b};
     int before = (k + masters->a.count - 1) % masters->a.count;
     for (int m = 0; m < 2; m++)
@@ -81,7 +81,7 @@ static bool is_kinked(mt_masters *masters, int k) {
     return fmax(mt_kink(both, k), mt_kink(both, before)) > KINK_TURN;
 }
 
-static void bend(mt_masters *masters, int k) {
+static void bend(mt_contour_pair *masters, int k) {
     int n = masters->a.count;
     for (int m = 0; m < 2; m++) {
         mt_segment *s = master(masters, m)->segments;
@@ -91,7 +91,7 @@ static void bend(mt_masters *masters, int k) {
     }
 }
 
-void mt_masters_tidy_lines(mt_masters *masters, int *steps, double tolerance) {
+void mt_contour_pair_tidy_lines(mt_contour_pair *masters, int *steps, double tolerance) {
     join_lines(masters, steps, tolerance);
     for (int k = 0; k < masters->a.count; k++)
         if (masters->a.segments[k].degree == 1 && is_short(masters, k) && is_kinked(masters, k))

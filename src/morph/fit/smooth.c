@@ -173,7 +173,7 @@ static mt_status copy(const mt_contour *contour, mt_arena *arena, mt_contour *ma
     return MT_OK;
 }
 
-mt_status mt_masters_smooth(mt_masters *masters, double tolerance, mt_arena *arena) {
+mt_status mt_contour_pair_smooth(mt_contour_pair *masters, double tolerance, mt_arena *arena) {
     mt_contour drawn[2], *moved[2] = {&masters->a, &masters->b};
     mt_status status = copy(&masters->a, arena, &drawn[0]);
     if (status == MT_OK) status = copy(&masters->b, arena, &drawn[1]);

@@ -1,6 +1,6 @@
 /* No kinks on the way. */
-#ifndef MT_SMOOTH_H
-#define MT_SMOOTH_H
+#ifndef MT_MORPH_FIT_SMOOTH_H
+#define MT_MORPH_FIT_SMOOTH_H
 
 #include "morph/fit/contour_pair.h"
 
@@ -9,7 +9,7 @@
  * every T. Moves such nodes along their own tangents to a common ratio, as far as no master departs from its curve by more
  * than `tolerance` (grid units), and no handle is used up. Ends and order of the segments stay; so does everything when A and B are swapped.
  * MT_NO_MEMORY. */
-mt_status mt_masters_smooth(mt_masters *masters, double tolerance, mt_arena *arena);
+mt_status mt_contour_pair_smooth(mt_contour_pair *masters, double tolerance, mt_arena *arena);
 
 /* Whether a contour runs smoothly through node k, the end of segment k; where it waits, from what is before to what is after. */
 bool mt_is_smooth(const mt_contour *contour, int k);

@@ -43,11 +43,11 @@ static mt_status point_inside(const mt_ring *ring, mt_box box, const mt_shape *i
 }
 
 mt_status mt_close_ring(const mt_ring *ring, bool in_a, const mt_closing *c, mt_arena *arena,
-                        mt_masters *masters) {
+                        mt_contour_pair *masters) {
     mt_rings one = {1, (mt_ring *)ring};
     mt_outline outline;
     mt_point point = {0, 0};
-    *masters = (mt_masters){0};
+    *masters = (mt_contour_pair){0};
     mt_status status =
         mt_fit(&one, mt_grid_units(c->params->tolerance), mt_grid_units(c->params->fit), arena, &outline);
     if (status != MT_OK || outline.count == 0) return status;
@@ -58,7 +58,7 @@ mt_status mt_close_ring(const mt_ring *ring, bool in_a, const mt_closing *c, mt_
     if (!shut.segments) return MT_NO_MEMORY;
     for (int i = 0; i < shut.count; i++)
         shut.segments[i] = (mt_segment){open.segments[i].degree, {point}, point};
-    *masters = in_a ? (mt_masters){.a = open, .b = shut} : (mt_masters){.a = shut, .b = open};
+    *masters = in_a ? (mt_contour_pair){.a = open, .b = shut} : (mt_contour_pair){.a = shut, .b = open};
     return MT_OK;
 }
 
@@ -87,7 +87,8 @@ static mt_status pair(mt_joining *j, mt_hole_pairs *pairs) {
     if (!pairs->in_b || !pairs->in_a) return MT_NO_MEMORY;
     for (int i = 1; i <= a.count; i++) pairs->in_b[i] = -1;
     for (int i = 1; i <= b.count; i++) pairs->in_a[i] = -1;
-    status = mt_pair_rings(&a, &b, INFINITY, &j->terms->manner, j->arena, pairs->in_b + 1, pairs->in_a + 1);
+    status =
+        mt_pair_rings(&a, &b, INFINITY, &j->context->settings, j->arena, pairs->in_b + 1, pairs->in_a + 1);
     for (int i = 1; i <= a.count; i++) pairs->in_b[i]++;
     for (int i = 1; i <= b.count; i++) pairs->in_a[i]++;
     return status;
@@ -109,7 +110,7 @@ static mt_status open_one(mt_joining *j, int side, const mt_hole_pairs *pairs, b
     for (int i = 1; status == MT_OK && i < rings && !*opened; i++) {
         mt_component *made = mt_arena_new(j->arena, 1, sizeof *made);
         if (!made) return MT_NO_MEMORY;
-        if (!partner[i]) status = mt_slit(&slit, i, &j->terms->manner, j->arena, made, opened);
+        if (!partner[i]) status = mt_slit(&slit, i, &j->context->settings, j->arena, made, opened);
         if (*opened) own->component = made;
     }
     return status;

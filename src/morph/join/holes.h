@@ -1,6 +1,6 @@
 /* The holes of two parts that are joined: paired, slit open, or closed. */
-#ifndef MT_HOLES_H
-#define MT_HOLES_H
+#ifndef MT_MORPH_JOIN_HOLES_H
+#define MT_MORPH_JOIN_HOLES_H
 
 #include "morph/join/join.h"
 
@@ -25,6 +25,6 @@ typedef struct mt_closing {
 /* A ring's own contour on the one side, all of it at one point on the other, in the ink there. *masters is empty when the ring is a
  * seam (mt_fit). As above. */
 mt_status mt_close_ring(const mt_ring *ring, bool in_a, const mt_closing *closing, mt_arena *arena,
-                        mt_masters *masters);
+                        mt_contour_pair *masters);
 
 #endif

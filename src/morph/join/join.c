@@ -22,51 +22,53 @@
 /* ---- two rings ----------------------------------------------------------------------------------------- */
 
 /* Aligns two rings and fits a contour to them. *cost: of the alignment. */
-static mt_status fit_rings(const mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters,
+static mt_status fit_rings(const mt_joining *j, const mt_ring *p, const mt_ring *q, mt_contour_pair *masters,
                            double *cost) {
-    mt_stops a, b;
+    mt_ring_samples a, b;
     mt_links pins;
     mt_alignment alignment;
-    double chord = j->terms->manner.chord, fit = mt_grid_units(j->terms->params->fit);
-    mt_status status = mt_ring_stops(p, chord, STOPS_A_RING, j->arena, &a);
-    if (status == MT_OK) status = mt_ring_stops(q, chord, STOPS_A_RING, j->arena, &b);
-    if (status == MT_OK) status = mt_pins_of(j->terms->hints, &a, &b, j->arena, &pins);
+    double flatness = j->context->settings.flatness, fit = mt_grid_units(j->context->params->fit);
+    mt_status status = mt_ring_samples_at_least(p, flatness, STOPS_A_RING, j->arena, &a);
+    if (status == MT_OK) status = mt_ring_samples_at_least(q, flatness, STOPS_A_RING, j->arena, &b);
+    if (status == MT_OK) status = mt_pins_of(j->context->hints, &a, &b, j->arena, &pins);
     if (status == MT_OK)
-        status = mt_align(&a, j->a.box, &b, j->b.box, &j->terms->manner.align, &pins, j->arena, &alignment);
+        status =
+            mt_align(&a, j->a.box, &b, j->b.box, &j->context->settings.align, &pins, j->arena, &alignment);
     if (status != MT_OK) return status;
     *cost = alignment.cost;
-    status = mt_masters_fit(&a, &b, &alignment, fit, j->arena, masters);
-    return status == MT_OK ? mt_masters_smooth(masters, SMOOTHING * fit, j->arena) : status;
+    status = mt_contour_pair_fit(&a, &b, &alignment, fit, j->arena, masters);
+    return status == MT_OK ? mt_contour_pair_smooth(masters, SMOOTHING * fit, j->arena) : status;
 }
 
 /* The same, where it has not been done before. Hints pin rings otherwise in each case. */
-static mt_status join_rings(mt_joining *j, const mt_ring *p, const mt_ring *q, mt_masters *masters) {
-    mt_known *known = j->terms->hints->count ? NULL : j->terms->manner.known;
-    mt_known_case of = {p, q, j->a.box, j->b.box, j->terms->manner.align, true};
-    const mt_known_pair *before = mt_known_find(known, &of);
+static mt_status join_rings(mt_joining *j, const mt_ring *p, const mt_ring *q, mt_contour_pair *masters) {
+    mt_alignment_cache *known = j->context->hints->count ? NULL : j->context->settings.known;
+    mt_cache_key of = {p, q, j->a.box, j->b.box, j->context->settings.align, true};
+    const mt_cache_entry *before = mt_alignment_cache_find(known, &of);
     double cost = before ? before->cost : 0;
     mt_status status = MT_OK;
     if (before)
         *masters = before->masters;
     else
         status = fit_rings(j, p, q, masters, &cost);
-    if (status == MT_OK && !before) status = mt_known_add(known, &of, cost, masters, j->arena);
-    j->dearest = fmax(j->dearest, cost);
+    if (status == MT_OK && !before) status = mt_alignment_cache_add(known, &of, cost, masters, j->arena);
+    j->costliest = fmax(j->costliest, cost);
     return status;
 }
 
 /* ---- whether it can be drawn --------------------------------------------------------------------------- */
 
 /* Whether the half-way contours keep clear of themselves and of each other, but for a little. */
-static mt_status is_drawable(const mt_joining *j, const mt_masters *contours, int count, bool *drawable) {
+static mt_status is_drawable(const mt_joining *j, const mt_contour_pair *contours, int count,
+                             bool *drawable) {
     mt_outline outline = {count, mt_arena_new(j->arena, (size_t)count, sizeof(mt_contour))};
     mt_rings rings;
     mt_shape shape;
     if (!outline.contours) return MT_NO_MEMORY;
     mt_status status = MT_OK;
     for (int i = 0; status == MT_OK && i < count; i++)
-        status = mt_masters_mix(&contours[i], mt_weights_at(0.5), j->arena, &outline.contours[i]);
-    if (status == MT_OK) status = mt_flatten(&outline, j->terms->manner.chord, j->arena, &rings);
+        status = mt_contour_pair_mix(&contours[i], mt_weights_at(0.5), j->arena, &outline.contours[i]);
+    if (status == MT_OK) status = mt_flatten(&outline, j->context->settings.flatness, j->arena, &rings);
     if (status == MT_OK) status = mt_union(&rings, MT_NONZERO, j->arena, &shape);
     if (status != MT_OK) return status;
     double ink = (double)mt_shape_area2(&shape), drawn = (double)mt_component_area2(&rings);
@@ -104,9 +106,9 @@ static mt_status moved_contour(const mt_contour *contour, mt_point by, mt_arena 
 }
 
 /* Theorem 1 for a part: where both are alike, there is nothing to align, and each in-between is alike too. */
-static mt_status join_alike(const mt_joining *j, mt_point by, mt_masters *contours, int *count) {
+static mt_status join_alike(const mt_joining *j, mt_point by, mt_contour_pair *contours, int *count) {
     mt_outline outline;
-    double tolerance = j->terms->manner.chord, fit = mt_grid_units(j->terms->params->fit);
+    double tolerance = j->context->settings.flatness, fit = mt_grid_units(j->context->params->fit);
     mt_status status = mt_fit(j->a.component, tolerance, fit, j->arena, &outline);
     for (int i = 0; status == MT_OK && i < outline.count; i++) {
         contours[*count].a = outline.contours[i];
@@ -117,17 +119,17 @@ static mt_status join_alike(const mt_joining *j, mt_point by, mt_masters *contou
 
 /* ---- parts --------------------------------------------------------------------------------------------- */
 
-static mt_status close_hole(const mt_joining *j, const mt_ring *hole, bool in_a, mt_masters *contours,
+static mt_status close_hole(const mt_joining *j, const mt_ring *hole, bool in_a, mt_contour_pair *contours,
                             int *count) {
     const mt_part *own = in_a ? &j->a : &j->b, *other = in_a ? &j->b : &j->a;
     mt_shape ink = {1, (mt_component *)other->component};
-    mt_closing closing = {own->box, &ink, other->box, j->terms->params};
+    mt_closing closing = {own->box, &ink, other->box, j->context->params};
     mt_status status = mt_close_ring(hole, in_a, &closing, j->arena, &contours[*count]);
     *count += status == MT_OK && contours[*count].a.count > 0;
     return status;
 }
 
-static mt_status join_all(mt_joining *j, mt_masters *contours, int *count) {
+static mt_status join_all(mt_joining *j, mt_contour_pair *contours, int *count) {
     mt_hole_pairs pairs;
     mt_status status = mt_pair_holes(j, &pairs);
     const mt_component *a = j->a.component, *b = j->b.component;
@@ -142,15 +144,15 @@ static mt_status join_all(mt_joining *j, mt_masters *contours, int *count) {
     return status;
 }
 
-mt_status mt_join(mt_part a, mt_part b, double most, const mt_terms *terms, mt_arena *arena,
-                  mt_masters *contours, int *count) {
-    mt_joining j = {a, b, terms, arena, 0};
+mt_status mt_join(mt_part a, mt_part b, double most, const mt_join_context *context, mt_arena *arena,
+                  mt_contour_pair *contours, int *count) {
+    mt_joining j = {a, b, context, arena, 0};
     mt_point by;
     if (is_moved(a.component, b.component, &by)) return join_alike(&j, by, contours, count);
     int before = *count;
     bool drawable = false;
     mt_status status = join_all(&j, contours, count);
     if (status == MT_OK) status = is_drawable(&j, contours + before, *count - before, &drawable);
-    if (status == MT_OK && (!drawable || j.dearest > most)) *count = before;
+    if (status == MT_OK && (!drawable || j.costliest > most)) *count = before;
     return status;
 }

@@ -14,11 +14,11 @@
 /* … but unless it is more than that, still better than by links, when cutting does not help. */
 #define PLAIN_LAST 1.5
 
-typedef struct mt_loom {
+typedef struct mt_join_state {
     mt_morph *morph;
-    const mt_terms *terms;
+    const mt_join_context *context;
     mt_arena *arena;
-} mt_loom;
+} mt_join_state;
 
 static mt_part part_of(const mt_side *side, int k) {
     return (mt_part){&side->shape.components[k], side->box};
@@ -31,22 +31,22 @@ static size_t rings_in(const mt_shape *shape) {
 }
 
 /* Room for the contours, and for what is aligned. */
-static mt_status start(mt_loom *loom) {
-    mt_morph *m = loom->morph;
+static mt_status start(mt_join_state *state) {
+    mt_morph *m = state->morph;
     m->contour_count = 0;
     m->contours =
-        mt_arena_new(loom->arena, rings_in(&m->a.shape) + rings_in(&m->b.shape), sizeof(mt_masters));
-    m->a.aligned = mt_arena_new(loom->arena, (size_t)m->a.shape.count, sizeof(bool));
-    m->b.aligned = mt_arena_new(loom->arena, (size_t)m->b.shape.count, sizeof(bool));
+        mt_arena_new(state->arena, rings_in(&m->a.shape) + rings_in(&m->b.shape), sizeof(mt_contour_pair));
+    m->a.aligned = mt_arena_new(state->arena, (size_t)m->a.shape.count, sizeof(bool));
+    m->b.aligned = mt_arena_new(state->arena, (size_t)m->b.shape.count, sizeof(bool));
     return m->contours && m->a.aligned && m->b.aligned ? MT_OK : MT_NO_MEMORY;
 }
 
 /* Joins a match; both components are aligned when that went well. */
-static mt_status join_match(mt_loom *loom, mt_link match, double most) {
-    mt_morph *m = loom->morph;
+static mt_status join_match(mt_join_state *state, mt_link match, double most) {
+    mt_morph *m = state->morph;
     int before = m->contour_count;
-    mt_status status = mt_join(part_of(&m->a, match.a), part_of(&m->b, match.b), most, loom->terms,
-                               loom->arena, m->contours, &m->contour_count);
+    mt_status status = mt_join(part_of(&m->a, match.a), part_of(&m->b, match.b), most, state->context,
+                               state->arena, m->contours, &m->contour_count);
     if (m->contour_count > before) m->a.aligned[match.a] = m->b.aligned[match.b] = true;
     return status;
 }
@@ -64,12 +64,12 @@ static bool is_plain(const mt_morph *m) {
     return true;
 }
 
-static mt_status join_plain(mt_loom *loom, double most, bool *joined) {
-    mt_morph *m = loom->morph;
-    mt_status status = start(loom);
+static mt_status join_plain(mt_join_state *state, double most, bool *joined) {
+    mt_morph *m = state->morph;
+    mt_status status = start(state);
     *joined = is_plain(m);
     for (int i = 0; status == MT_OK && *joined && i < m->matches.count; i++) {
-        status = join_match(loom, m->matches.links[i], most);
+        status = join_match(state, m->matches.links[i], most);
         *joined = m->a.aligned[m->matches.links[i].a];
     }
     return status;
@@ -79,33 +79,33 @@ static mt_status join_plain(mt_loom *loom, double most, bool *joined) {
 
 static int without_partner(const mt_cut_side *cut) {
     int count = 0;
-    for (int i = 0; i < cut->shares.count; i++) count += cut->partner[i] < 0;
+    for (int i = 0; i < cut->parts.count; i++) count += cut->partner[i] < 0;
     return count;
 }
 
-/* The matches of the shares: partners, and what is left of both sides with all that is left of the other. */
-static mt_status match_shares(mt_loom *loom, const mt_cut_side *a, const mt_cut_side *b) {
+/* The matches of the parts: partners, and what is left of both sides with all that is left of the other. */
+static mt_status match_parts(mt_join_state *state, const mt_cut_side *a, const mt_cut_side *b) {
     size_t rest = (size_t)without_partner(a) * (size_t)without_partner(b);
-    mt_links made = {0, mt_arena_new(loom->arena, rest + (size_t)a->shares.count, sizeof(mt_link))};
+    mt_links made = {0, mt_arena_new(state->arena, rest + (size_t)a->parts.count, sizeof(mt_link))};
     if (!made.links) return MT_NO_MEMORY;
-    for (int i = 0; i < a->shares.count; i++) {
+    for (int i = 0; i < a->parts.count; i++) {
         if (a->partner[i] >= 0) made.links[made.count++] = (mt_link){i, a->partner[i]};
-        for (int k = 0; k < b->shares.count && a->partner[i] < 0; k++)
+        for (int k = 0; k < b->parts.count && a->partner[i] < 0; k++)
             if (b->partner[k] < 0) made.links[made.count++] = (mt_link){i, k};
     }
-    loom->morph->matches = made;
+    state->morph->matches = made;
     return MT_OK;
 }
 
 /* What only one side has grows out of the ink of the other. */
-static mt_status join_rest(mt_loom *loom, const mt_cut_side *cut, bool in_a) {
-    mt_morph *m = loom->morph;
+static mt_status join_rest(mt_join_state *state, const mt_cut_side *cut, bool in_a) {
+    mt_morph *m = state->morph;
     mt_side *side = in_a ? &m->a : &m->b, *other = in_a ? &m->b : &m->a;
-    mt_closing closing = {side->box, &other->whole, other->box, loom->terms->params};
-    for (int k = 0; k < cut->shares.count; k++) {
-        const mt_component *component = &cut->shares.components[k];
+    mt_closing closing = {side->box, &other->whole, other->box, state->context->params};
+    for (int k = 0; k < cut->parts.count; k++) {
+        const mt_component *component = &cut->parts.components[k];
         for (int i = 0; i < component->count && cut->partner[k] < 0; i++) {
-            mt_status status = mt_close_ring(&component->rings[i], in_a, &closing, loom->arena,
+            mt_status status = mt_close_ring(&component->rings[i], in_a, &closing, state->arena,
                                              &m->contours[m->contour_count]);
             if (status != MT_OK) return status;
             m->contour_count += m->contours[m->contour_count].a.count > 0;
@@ -115,29 +115,29 @@ static mt_status join_rest(mt_loom *loom, const mt_cut_side *cut, bool in_a) {
     return MT_OK;
 }
 
-/* Whether there are more shares than either side has components: on the way there would be more parts than at both ends. */
+/* Whether there are more parts than either side has components: on the way there would be more parts than at both ends. */
 static bool is_cut_twice(const mt_morph *m, const mt_cut_side *a, const mt_cut_side *b) {
-    return a->shares.count > m->a.shape.count && a->shares.count > m->b.shape.count &&
-           b->shares.count > m->a.shape.count && b->shares.count > m->b.shape.count;
+    return a->parts.count > m->a.shape.count && a->parts.count > m->b.shape.count &&
+           b->parts.count > m->a.shape.count && b->parts.count > m->b.shape.count;
 }
 
-static mt_status join_cut(mt_loom *loom) {
-    mt_morph *m = loom->morph;
+static mt_status join_cut(mt_join_state *state) {
+    mt_morph *m = state->morph;
     mt_cut_side a, b;
     mt_status status =
-        mt_reconcile(&m->a, &m->b, loom->terms->hints, &loom->terms->manner, loom->arena, &a, &b);
+        mt_reconcile(&m->a, &m->b, state->context->hints, &state->context->settings, state->arena, &a, &b);
     if (status == MT_OK && is_cut_twice(m, &a, &b))
-        status = mt_overlap_cuts(&m->a.shape, &a, &m->b.shape, &b, loom->arena);
+        status = mt_extend_cuts(&m->a.shape, &a, &m->b.shape, &b, state->arena);
     if (status != MT_OK) return status;
-    m->a.shape = a.shares;
-    m->b.shape = b.shares;
-    status = match_shares(loom, &a, &b);
-    if (status == MT_OK) status = start(loom);
+    m->a.shape = a.parts;
+    m->b.shape = b.parts;
+    status = match_parts(state, &a, &b);
+    if (status == MT_OK) status = start(state);
     for (int i = 0; status == MT_OK && i < m->matches.count; i++)
-        if (a.partner[m->matches.links[i].a] >= 0) status = join_match(loom, m->matches.links[i], INFINITY);
+        if (a.partner[m->matches.links[i].a] >= 0) status = join_match(state, m->matches.links[i], INFINITY);
     int in_a = without_partner(&a), in_b = without_partner(&b);
-    if (status == MT_OK && in_a && !in_b) status = join_rest(loom, &a, true);
-    if (status == MT_OK && in_b && !in_a) status = join_rest(loom, &b, false);
+    if (status == MT_OK && in_a && !in_b) status = join_rest(state, &a, true);
+    if (status == MT_OK && in_b && !in_a) status = join_rest(state, &b, false);
     return status;
 }
 
@@ -150,24 +150,24 @@ static bool all_aligned(const mt_side *side) {
 }
 
 /* As they are where they can be, else cut, else as they are all the same. */
-static mt_status join_all(mt_morph *morph, const mt_terms *terms, mt_arena *arena) {
+static mt_status join_all(mt_morph *morph, const mt_join_context *context, mt_arena *arena) {
     mt_morph whole = *morph;
-    mt_loom loom = {morph, terms, arena};
+    mt_join_state state = {morph, context, arena};
     bool joined;
-    mt_status status = join_plain(&loom, PLAIN_MOST, &joined);
+    mt_status status = join_plain(&state, PLAIN_MOST, &joined);
     if (status != MT_OK || joined) return status;
-    status = join_cut(&loom);
+    status = join_cut(&state);
     if (status != MT_OK || all_aligned(&morph->a)) return status;
-    loom.morph = &whole;
-    status = join_plain(&loom, PLAIN_LAST, &joined);
+    state.morph = &whole;
+    status = join_plain(&state, PLAIN_LAST, &joined);
     if (status == MT_OK && joined) *morph = whole;
     return status;
 }
 
 /* The largest first, half-way; of equal ones the one that begins more to the left, or lower. */
 static int compare_contours(const void *p, const void *q) {
-    const mt_masters *one = p, *other = q;
-    double area = mt_masters_area(one), beside = mt_masters_area(other);
+    const mt_contour_pair *one = p, *other = q;
+    double area = mt_contour_pair_area(one), beside = mt_contour_pair_area(other);
     if (area != beside) return area > beside ? -1 : 1;
     mt_point a = one->a.segments[0].end, b = one->b.segments[0].end, c = other->a.segments[0].end,
              d = other->b.segments[0].end;
@@ -176,8 +176,8 @@ static int compare_contours(const void *p, const void *q) {
 }
 
 /* The order of the contours is the same whichever shape is A: that way the same one is the first to be mended (sound.c). */
-mt_status mt_joint(mt_morph *morph, const mt_terms *terms, mt_arena *arena) {
-    mt_status status = join_all(morph, terms, arena);
+mt_status mt_joint(mt_morph *morph, const mt_join_context *context, mt_arena *arena) {
+    mt_status status = join_all(morph, context, arena);
     if (status == MT_OK)
         qsort(morph->contours, (size_t)morph->contour_count, sizeof *morph->contours, compare_contours);
     return status;

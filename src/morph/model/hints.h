@@ -1,6 +1,6 @@
 /* What a person has decided for one character: which component goes with which, and which place on the boundary with which. */
-#ifndef MT_HINTS_H
-#define MT_HINTS_H
+#ifndef MT_MORPH_MODEL_HINTS_H
+#define MT_MORPH_MODEL_HINTS_H
 
 #include "geometry/point.h"
 

@@ -1,14 +1,14 @@
 /* What two glyphs are joined by. */
-#ifndef MT_TERMS_H
-#define MT_TERMS_H
+#ifndef MT_MORPH_MODEL_JOIN_CONTEXT_H
+#define MT_MORPH_MODEL_JOIN_CONTEXT_H
 
 #include "morph/model/hints.h"
 #include "morph/model/settings.h"
 
-typedef struct mt_terms {
+typedef struct mt_join_context {
     const mt_hints *hints; /* not NULL */
     const mt_params *params;
-    mt_manner manner;
-} mt_terms;
+    mt_settings settings;
+} mt_join_context;
 
 #endif

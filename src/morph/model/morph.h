@@ -1,7 +1,7 @@
 /* The morph: two shapes in, every shape between them out. Sections 2.1 to 2.3 of the paper, in its order.
  * Knows geometry only: no fonts, no files. */
-#ifndef MT_MORPH_H
-#define MT_MORPH_H
+#ifndef MT_MORPH_MODEL_MORPH_H
+#define MT_MORPH_MODEL_MORPH_H
 
 #include "geometry/minkowski.h"
 #include "geometry/outline.h"
@@ -30,17 +30,17 @@ typedef struct mt_side {
 
 /* Compatible masters: two contours with as many segments, of the same degrees, between which every point
  * moves on a straight line, or on one that is bent half-way. */
-typedef struct mt_masters {
+typedef struct mt_contour_pair {
     mt_contour a, b;
     mt_point
-        aside; /* how far the contour stands aside half-way, to make way for another; in proportion between there and the ends */
-} mt_masters;
+        displacement; /* how far the contour stands aside half-way, to make way for another; in proportion between there and the ends */
+} mt_contour_pair;
 
 typedef struct mt_morph {
     mt_side a, b;      /* b turned by -degrees about its box's middle */
     mt_links matches;  /* of components, 2.2.1 */
     int contour_count; /* of the aligned components; none with MT_METHOD_PAPER */
-    mt_masters *contours;
+    mt_contour_pair *contours;
     mt_links links; /* of the others' pieces, 2.2.2: the paper's list R */
     double degrees; /* q of formula (5); 0 without rotation */
 } mt_morph;

@@ -2,11 +2,11 @@
 
 #include "geometry/limits.h"
 
-/* Columns: direction, distance and corner of an alignment and of a walk; the step; whether there are leaps. A walker of the first
+/* Columns: direction, distance and corner of an alignment and of a walk; the step; whether there are jumps. A walker of the first
  * minds the distance more than one who only aligns, since it has the choice of all rings. The more an alignment minds the
  * distance, the less it minds what is a corner and what a side: strokes keep clear of each other, and are drawn worse. So
  * that comes last. */
-static const mt_manner manners[] = {
+static const mt_settings settings[] = {
     {0, {3, 4, 1}, {1, 4, 0}, 12, true, NULL},    {0, {3, 4, 1}, {1, 1, 0}, 12, false, NULL},
     {0, {3, 4, 1}, {1, 12, 0}, 20, false, NULL},  {0, {3, 16, 1}, {1, 1, 0}, 20, false, NULL},
     {0, {3, 4, 1}, {1, 1, 0}, 20, true, NULL},    {0, {3, 4, 1}, {1, 12, 0}, 12, true, NULL},
@@ -16,12 +16,12 @@ static const mt_manner manners[] = {
     {0, {3, 4, 1}, {1, 4, 0}, 30, true, NULL},    {0, {3, 64, 1}, {1, 1, 0}, 20, false, NULL},
 };
 
-int mt_manner_count(void) {
-    return (int)(sizeof manners / sizeof *manners);
+int mt_settings_count(void) {
+    return (int)(sizeof settings / sizeof *settings);
 }
 
-mt_manner mt_manner_at(int number, const mt_params *params) {
-    mt_manner made = manners[number];
-    made.chord = mt_grid_units(params->tolerance);
+mt_settings mt_settings_at(int number, const mt_params *params) {
+    mt_settings made = settings[number];
+    made.flatness = mt_grid_units(params->tolerance);
     return made;
 }

@@ -3,28 +3,28 @@
 #include <math.h>
 #include <stdlib.h>
 
-typedef struct mt_place {
+typedef struct mt_relative_place {
     double x, y; /* the paper's coordinate vector of a piece */
-} mt_place;
+} mt_relative_place;
 
 /* Which components of the other side each component is matched with, as a list of matches grouped by
  * component. */
 typedef struct mt_mapping {
     const mt_side *from, *to;
-    const mt_place *from_places, *to_places;
+    const mt_relative_place *from_places, *to_places;
     const mt_links *matches;
     bool forth; /* from A to B; otherwise from B to A */
 } mt_mapping;
 
-static mt_place *places_of(const mt_side *side, bool one_scale, mt_arena *arena) {
-    mt_place *places = mt_arena_new(arena, (size_t)side->pieces.count, sizeof *places);
+static mt_relative_place *places_of(const mt_side *side, bool one_scale, mt_arena *arena) {
+    mt_relative_place *places = mt_arena_new(arena, (size_t)side->pieces.count, sizeof *places);
     if (!places) return NULL;
     double width = mt_box_width(side->box), height = mt_box_height(side->box);
     if (one_scale) width = height = fmax(width, height);
     for (int i = 0; i < side->pieces.count; i++) {
         double x, y;
         mt_ring_centre(&side->pieces.rings[i], &x, &y);
-        places[i] = (mt_place){(x - side->box.min.x) / width, (y - side->box.min.y) / height};
+        places[i] = (mt_relative_place){(x - side->box.min.x) / width, (y - side->box.min.y) / height};
     }
     return places;
 }
@@ -32,7 +32,7 @@ static mt_place *places_of(const mt_side *side, bool one_scale, mt_arena *arena)
 /* Formula (3): of all pieces of the components that component k is matched with, the nearest to `piece`. The
  * first of equals. */
 static int nearest(const mt_mapping *m, int k, int piece) {
-    mt_place p = m->from_places[piece];
+    mt_relative_place p = m->from_places[piece];
     double least = INFINITY;
     int found = -1;
     for (int i = 0; i < m->matches->count; i++) {
@@ -56,7 +56,7 @@ static int by_a_then_b(const void *p, const void *q) {
 
 mt_status mt_link_pieces(const mt_side *a, const mt_side *b, const mt_links *matches, bool one_scale,
                          mt_arena *arena, mt_links *links) {
-    const mt_place *in_a = places_of(a, one_scale, arena), *in_b = places_of(b, one_scale, arena);
+    const mt_relative_place *in_a = places_of(a, one_scale, arena), *in_b = places_of(b, one_scale, arena);
     bool *marked = mt_arena_new(arena, (size_t)b->pieces.count, sizeof *marked);
     mt_links made = {0,
                      mt_arena_new(arena, (size_t)a->pieces.count + (size_t)b->pieces.count, sizeof(mt_link))};

@@ -1,6 +1,6 @@
 /* Mapping convex pieces: formula (3) and the three steps of section 2.2.2. */
-#ifndef MT_LINKS_H
-#define MT_LINKS_H
+#ifndef MT_MORPH_PAPER_LINKS_H
+#define MT_MORPH_PAPER_LINKS_H
 
 #include "morph/model/morph.h"
 

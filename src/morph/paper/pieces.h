@@ -1,6 +1,6 @@
 /* Sections 2.1 and 2.2.2 of the paper for a whole morph: convex pieces, and which goes with which. */
-#ifndef MT_PIECES_H
-#define MT_PIECES_H
+#ifndef MT_MORPH_PAPER_PIECES_H
+#define MT_MORPH_PAPER_PIECES_H
 
 #include "morph/model/morph.h"
 

@@ -60,11 +60,11 @@ mt_status mt_relax(double *s, int rows, int columns, int rounds, mt_arena *arena
 
 /* ---- matches ------------------------------------------------------------------------------------------- */
 
-typedef struct mt_table {
+typedef struct mt_matrix {
     int rows, columns;
     double *forth, *back; /* rows × columns, and its transpose */
     bool *matched;        /* rows × columns */
-} mt_table;
+} mt_matrix;
 
 static int best_of(const double *row, int count) {
     int best = 0;
@@ -73,7 +73,7 @@ static int best_of(const double *row, int count) {
     return best;
 }
 
-static mt_status relax_both_ways(const double *s, int rounds, mt_arena *arena, mt_table *t) {
+static mt_status relax_both_ways(const double *s, int rounds, mt_arena *arena, mt_matrix *t) {
     size_t all = cell(t->columns, t->rows, 0);
     t->forth = mt_arena_new(arena, all, sizeof(double));
     t->back = mt_arena_new(arena, all, sizeof(double));
@@ -86,14 +86,14 @@ static mt_status relax_both_ways(const double *s, int rounds, mt_arena *arena, m
     return status == MT_OK ? mt_relax(t->back, t->columns, t->rows, rounds, arena) : status;
 }
 
-static bool has_other(const mt_table *t, int row, int column) {
+static bool has_other(const mt_matrix *t, int row, int column) {
     bool in_row = false, in_column = false;
     for (int j = 0; j < t->columns; j++) in_row |= j != column && t->matched[cell(t->columns, row, j)];
     for (int i = 0; i < t->rows; i++) in_column |= i != row && t->matched[cell(t->columns, i, column)];
     return in_row && in_column;
 }
 
-static void drop_weak(mt_table *t, double threshold) {
+static void drop_weak(mt_matrix *t, double threshold) {
     for (int i = 0; i < t->rows; i++)
         for (int j = 0; j < t->columns; j++) {
             bool weak =
@@ -103,9 +103,9 @@ static void drop_weak(mt_table *t, double threshold) {
         }
 }
 
-mt_status mt_match(const double *s, int rows, int columns, int rounds, double threshold, mt_arena *arena,
-                   mt_links *matches) {
-    mt_table t = {.rows = rows, .columns = columns};
+mt_status mt_match_components(const double *s, int rows, int columns, int rounds, double threshold,
+                              mt_arena *arena, mt_links *matches) {
+    mt_matrix t = {.rows = rows, .columns = columns};
     mt_status status = relax_both_ways(s, rounds, arena, &t);
     mt_links made = {0, mt_arena_new(arena, (size_t)rows + (size_t)columns, sizeof(mt_link))};
     if (status != MT_OK) return status;

@@ -1,7 +1,7 @@
 /* Relaxation matching: formulas (1) and (2) of section 2.2.1. Knows a matrix of similarities only, whatever
  * was compared. */
-#ifndef MT_RELAX_H
-#define MT_RELAX_H
+#ifndef MT_MORPH_PAPER_RELAX_H
+#define MT_MORPH_PAPER_RELAX_H
 
 #include "morph/model/morph.h"
 
@@ -17,7 +17,7 @@ mt_status mt_relax(double *s, int rows, int columns, int rounds, mt_arena *arena
  * and the best row of each column, and drops a match that one of the two relaxations puts under `threshold`
  * while both of its ends have a better one. Every row and every column keeps at least one match. s is left as
  * it was. MT_NO_MEMORY. */
-mt_status mt_match(const double *s, int rows, int columns, int rounds, double threshold, mt_arena *arena,
-                   mt_links *matches);
+mt_status mt_match_components(const double *s, int rows, int columns, int rounds, double threshold,
+                              mt_arena *arena, mt_links *matches);
 
 #endif

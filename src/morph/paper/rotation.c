@@ -66,9 +66,9 @@ mt_point mt_morph_turn(const mt_morph *morph, mt_weights weights, mt_point p) {
 /* ---- principal axes ------------------------------------------------------------------------------------ */
 
 /* The axis as a vector at twice its angle, whose length is how much the shape is longer than wide (0 … 1). */
-typedef struct mt_axis {
+typedef struct mt_turn_axis {
     double area, cosine, sine;
-} mt_axis;
+} mt_turn_axis;
 
 /* Moments of area of the signed triangles between the first point of the outer ring and each edge: ∫1, ∫x,
  * ∫y, ∫xx, ∫xy, ∫yy, in ems. */
@@ -87,22 +87,22 @@ static void add_moments(const mt_ring *ring, mt_point o, double m[6]) {
     }
 }
 
-static mt_axis axis_of(const mt_component *component) {
+static mt_turn_axis axis_of(const mt_component *component) {
     double m[6] = {0};
     for (int i = 0; i < component->count; i++)
         add_moments(&component->rings[i], component->rings[0].points[0], m);
-    if (m[0] <= 0) return (mt_axis){0};
+    if (m[0] <= 0) return (mt_turn_axis){0};
     double xx = m[3] - m[1] * m[1] / m[0], xy = m[4] - m[1] * m[2] / m[0], yy = m[5] - m[2] * m[2] / m[0];
     double spread = xx + yy;
-    if (spread <= 0) return (mt_axis){0};
-    return (mt_axis){m[0], (xx - yy) / spread, 2 * xy / spread};
+    if (spread <= 0) return (mt_turn_axis){0};
+    return (mt_turn_axis){m[0], (xx - yy) / spread, 2 * xy / spread};
 }
 
 double mt_find_rotation(const mt_shape *a, const mt_shape *b, const mt_links *matches) {
     double cosine = 0, sine = 0;
     for (int i = 0; i < matches->count; i++) {
-        mt_axis u = axis_of(&a->components[matches->links[i].a]),
-                v = axis_of(&b->components[matches->links[i].b]);
+        mt_turn_axis u = axis_of(&a->components[matches->links[i].a]),
+                     v = axis_of(&b->components[matches->links[i].b]);
         double weight = sqrt(u.area * v.area);
         cosine += weight * (u.cosine * v.cosine + u.sine * v.sine);
         sine += weight * (u.cosine * v.sine - u.sine * v.cosine);

@@ -1,6 +1,6 @@
 /* The rotation of formula (5), section 2.3. */
-#ifndef MT_ROTATION_H
-#define MT_ROTATION_H
+#ifndef MT_MORPH_PAPER_ROTATION_H
+#define MT_MORPH_PAPER_ROTATION_H
 
 #include "morph/model/morph.h"
 

@@ -1,6 +1,6 @@
 /* How alike two components are: section 2.2.1, the similar function m(h1, h2). */
-#ifndef MT_SIMILARITY_H
-#define MT_SIMILARITY_H
+#ifndef MT_MORPH_PAPER_SIMILARITY_H
+#define MT_MORPH_PAPER_SIMILARITY_H
 
 #include "geometry/ring.h"
 

@@ -25,13 +25,13 @@ static mt_shape shape_of(mt_component *components, int count) {
 }
 
 /* A stem, 100 wide, and a bar to its right that is cut off it. */
-static void cut_apart(mt_component shares[2], mt_component *whole) {
+static void cut_apart(mt_component parts[2], mt_component *whole) {
     static const int stem[][2] = {{0, 0}, {100, 0}, {100, 300}, {100, 400}, {100, 700}, {0, 700}};
     static const int bar[][2] = {{100, 300}, {500, 300}, {500, 400}, {100, 400}};
     static const int both[][2] = {{0, 0},     {100, 0},   {100, 300}, {500, 300},
                                   {500, 400}, {100, 400}, {100, 700}, {0, 700}};
-    shares[0] = component_of(stem, 6);
-    shares[1] = component_of(bar, 4);
+    parts[0] = component_of(stem, 6);
+    parts[1] = component_of(bar, 4);
     *whole = component_of(both, 8);
 }
 
@@ -58,10 +58,10 @@ static void overlap(int gap, mt_cut_side *a, mt_component *whole, mt_component i
     drawn_apart(gap, in_b);
     *a = (mt_cut_side){shape_of(in_a, 2), partner};
     mt_cut_side b = {shape_of(in_b, 2), partner};
-    mt_shape ink_a = shape_of(whole, 1), ink_b = b.shares;
-    mt_assert_ok(mt_overlap_cuts(&ink_a, a, &ink_b, &b, &arena));
+    mt_shape ink_a = shape_of(whole, 1), ink_b = b.parts;
+    mt_assert_ok(mt_extend_cuts(&ink_a, a, &ink_b, &b, &arena));
     for (int i = 0; i < 2; i++)
-        assert_int_equal(b.shares.components[i].rings[0].count, 4); /* nothing to do there */
+        assert_int_equal(b.parts.components[i].rings[0].count, 4); /* nothing to do there */
 }
 
 /* The bar, which ends at the cut, goes on into the stem by the gap; the ink stays. */
@@ -71,11 +71,11 @@ static void the_bar_goes_on(void **state) {
         mt_component in_a[2], in_b[2], whole;
         mt_cut_side a;
         overlap(gap, &a, &whole, in_a, in_b);
-        mt_box bar = mt_ring_box(&a.shares.components[1].rings[0]);
-        assert_int_equal(a.shares.components[0].rings[0].count, 6);
-        assert_int_equal(a.shares.components[1].rings[0].count, 6);
+        mt_box bar = mt_ring_box(&a.parts.components[1].rings[0]);
+        assert_int_equal(a.parts.components[0].rings[0].count, 6);
+        assert_int_equal(a.parts.components[1].rings[0].count, 6);
         assert_int_equal(bar.min.x, (100 - gap) * UNIT);
-        assert_true(union_area2(&a.shares) == mt_component_area2(&whole));
+        assert_true(union_area2(&a.parts) == mt_component_area2(&whole));
     }
 }
 
@@ -85,8 +85,8 @@ static void not_out_of_the_ink(void **state) {
     mt_component in_a[2], in_b[2], whole;
     mt_cut_side a;
     overlap(110, &a, &whole, in_a, in_b);
-    assert_int_equal(mt_ring_box(&a.shares.components[1].rings[0]).min.x, (100 - 55) * UNIT);
-    assert_true(union_area2(&a.shares) == mt_component_area2(&whole));
+    assert_int_equal(mt_ring_box(&a.parts.components[1].rings[0]).min.x, (100 - 55) * UNIT);
+    assert_true(union_area2(&a.parts) == mt_component_area2(&whole));
 }
 
 static void nothing_where_the_partners_touch(void **state) {
@@ -95,7 +95,7 @@ static void nothing_where_the_partners_touch(void **state) {
     mt_cut_side a;
     overlap(0, &a, &whole, in_a, in_b);
     for (int i = 0; i < 2; i++)
-        assert_int_equal(a.shares.components[i].rings[0].count, in_a[i].rings[0].count);
+        assert_int_equal(a.parts.components[i].rings[0].count, in_a[i].rings[0].count);
 }
 
 int main(void) {

@@ -26,16 +26,16 @@ static const int left[][2] = {{0, 0}, {150, 104}}, right[][2] = {{300, 10}, {150
 static void one_makes_way_for_the_other(void **state) {
     (void)state;
     mt_morph morph = morph_of(left, right);
-    assert_true(mt_test_strays(&arena, &morph).merged > 0);
-    assert_int_equal(mt_test_mend(&arena, mt_stand_aside, &morph).parts, 0);
-    assert_true((mt_test_aside(&morph, 0) > 0) != (mt_test_aside(&morph, 1) > 0));
-    for (int i = 0; i < 2; i++) assert_true(mt_test_aside(&morph, i) < 17);
+    assert_true(mt_test_topology_error(&arena, &morph).merged > 0);
+    assert_int_equal(mt_test_mend(&arena, mt_separate_parts, &morph).parts, 0);
+    assert_true((mt_test_displacement(&morph, 0) > 0) != (mt_test_displacement(&morph, 1) > 0));
+    for (int i = 0; i < 2; i++) assert_true(mt_test_displacement(&morph, i) < 17);
 }
 
 static void the_ends_stay(void **state) {
     (void)state;
     mt_morph morph = morph_of(left, right);
-    mt_test_mend(&arena, mt_stand_aside, &morph);
+    mt_test_mend(&arena, mt_separate_parts, &morph);
     mt_test_ends_stay(&arena, &morph);
 }
 
@@ -45,16 +45,16 @@ static void what_is_one_at_an_end_stays_together(void **state) {
     const int apart[][2] = {{0, 0}, {150, 104}}, lying_on[][2] = {{300, 10}, {300, 110}};
     mt_morph morph = morph_of(apart, lying_on);
     assert_int_equal(morph.b.whole.count, 1);
-    mt_test_mend(&arena, mt_stand_aside, &morph);
-    assert_true(mt_test_aside(&morph, 0) == 0 && mt_test_aside(&morph, 1) == 0);
+    mt_test_mend(&arena, mt_separate_parts, &morph);
+    assert_true(mt_test_displacement(&morph, 0) == 0 && mt_test_displacement(&morph, 1) == 0);
 }
 
 static void what_passes_freely_stays(void **state) {
     (void)state;
     const int higher[][2] = {{150, 124}, {0, 0}}, still[][2] = {{150, 124}, {300, 10}};
     mt_morph morph = morph_of(higher, still);
-    assert_int_equal(mt_test_mend(&arena, mt_stand_aside, &morph).parts, 0);
-    assert_true(mt_test_aside(&morph, 0) == 0 && mt_test_aside(&morph, 1) == 0);
+    assert_int_equal(mt_test_mend(&arena, mt_separate_parts, &morph).parts, 0);
+    assert_true(mt_test_displacement(&morph, 0) == 0 && mt_test_displacement(&morph, 1) == 0);
 }
 
 int main(void) {

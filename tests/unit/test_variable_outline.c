@@ -15,9 +15,9 @@ static int tear_down(void **state) {
     return 0;
 }
 
-static void check_compatible(const mt_moving *moving) {
+static void check_compatible(const mt_variable_outline *moving) {
     for (int i = 0; i < moving->count; i++) {
-        const mt_masters *m = &moving->contours[i];
+        const mt_contour_pair *m = &moving->contours[i];
         assert_int_equal(m->a.count, m->b.count);
         for (int k = 0; k < m->a.count; k++) {
             assert_int_equal(m->a.segments[k].degree, m->b.segments[k].degree);
@@ -26,11 +26,12 @@ static void check_compatible(const mt_moving *moving) {
     }
 }
 
-static mt_shape ink_at(const mt_morph *morph, const mt_moving *moving, double t, const mt_params *params) {
+static mt_shape ink_at(const mt_morph *morph, const mt_variable_outline *moving, double t,
+                       const mt_params *params) {
     mt_outline outline;
     mt_shape ink;
     bool clean;
-    mt_assert_ok(mt_moving_at(morph, moving, mt_weights_at(t), &arena, &outline));
+    mt_assert_ok(mt_variable_outline_at(morph, moving, mt_weights_at(t), &arena, &outline));
     mt_assert_ok(mt_outline_resolve(&outline, mt_grid_units(params->tolerance) / 4, &arena, &ink, &clean));
     return ink;
 }
@@ -58,9 +59,9 @@ static void moving_contours_are_the_blend(void **state) {
         mt_shape a = mt_random_shape(&random, &arena, 2, 12, MT_EM / 2);
         mt_shape b = mt_random_shape(&random, &arena, 2, 12, MT_EM / 2);
         mt_morph morph;
-        mt_moving moving;
+        mt_variable_outline moving;
         mt_assert_ok(mt_morph_prepare(&a, &b, NULL, &params, &arena, &morph));
-        mt_assert_ok(mt_moving_make(&morph, &params, &arena, &moving));
+        mt_assert_ok(mt_variable_outline_make(&morph, &params, &arena, &moving));
         check_compatible(&moving);
         for (int i = 0; i < 5; i++) {
             mt_shape blend, ink = ink_at(&morph, &moving, places[i], &params);
@@ -93,12 +94,12 @@ static void contours_lie_over_one_another_at_a_cut(void **state) {
                        mt_test_ring_of(&arena, apart[1], 4, 256)};
     mt_component parts[] = {{1, &rings[0]}, {1, &rings[1]}, {1, &rings[2]}};
     mt_morph morph = {.a.whole = {1, &parts[0]}, .b.whole = {2, &parts[1]}};
-    mt_masters masters[2] = {{lines(halves[0]), lines(apart[0]), {0, 0}},
-                             {lines(halves[1]), lines(apart[1]), {0, 0}}};
-    mt_moving moving = {2, masters};
+    mt_contour_pair masters[2] = {{lines(halves[0]), lines(apart[0]), {0, 0}},
+                                  {lines(halves[1]), lines(apart[1]), {0, 0}}};
+    mt_variable_outline moving = {2, masters};
     mt_params params = mt_params_default();
     const double reach = 384;
-    mt_assert_ok(mt_moving_lap(&morph, reach, &arena, &moving));
+    mt_assert_ok(mt_overlap_seams(&morph, reach, &arena, &moving));
     check_compatible(&moving);
     mt_shape at_a = ink_at(&morph, &moving, 0, &params), at_b = ink_at(&morph, &moving, 1, &params);
     assert_true(difference(&at_a, &morph.a.whole) < 1e-9);
@@ -106,7 +107,7 @@ static void contours_lie_over_one_another_at_a_cut(void **state) {
     mt_outline outline;
     mt_rings drawn;
     int64_t covered = 0;
-    mt_assert_ok(mt_moving_at(&morph, &moving, mt_weights_at(0), &arena, &outline));
+    mt_assert_ok(mt_variable_outline_at(&morph, &moving, mt_weights_at(0), &arena, &outline));
     mt_assert_ok(mt_flatten(&outline, 64, &arena, &drawn));
     for (int i = 0; i < drawn.count; i++) covered += mt_ring_area2(&drawn.rings[i]);
     double twice = (double)(covered - mt_shape_area2(&at_a)) / 2, length = 300 * 256;
@@ -123,16 +124,16 @@ static void steps_follow_the_arc(void **state) {
     mt_component part = {1, &ring};
     mt_shape shape = {1, &part};
     mt_morph morph;
-    mt_moving moving;
+    mt_variable_outline moving;
     mt_assert_ok(mt_morph_prepare(&shape, &shape, NULL, &params, &arena, &morph));
-    mt_assert_ok(mt_moving_make(&morph, &params, &arena, &moving));
+    mt_assert_ok(mt_variable_outline_make(&morph, &params, &arena, &moving));
     double bound = mt_grid_units(1);
-    int steps = mt_moving_steps(&morph, &moving, bound);
+    int steps = mt_variable_outline_steps(&morph, &moving, bound);
     assert_in_range(steps, 2, MT_TURN_STEPS_MAX - 1);
     mt_outline from, to, half;
-    mt_assert_ok(mt_moving_at(&morph, &moving, mt_weights_at(0), &arena, &from));
-    mt_assert_ok(mt_moving_at(&morph, &moving, mt_weights_at(1.0 / steps), &arena, &to));
-    mt_assert_ok(mt_moving_at(&morph, &moving, mt_weights_at(0.5 / steps), &arena, &half));
+    mt_assert_ok(mt_variable_outline_at(&morph, &moving, mt_weights_at(0), &arena, &from));
+    mt_assert_ok(mt_variable_outline_at(&morph, &moving, mt_weights_at(1.0 / steps), &arena, &to));
+    mt_assert_ok(mt_variable_outline_at(&morph, &moving, mt_weights_at(0.5 / steps), &arena, &half));
     for (int k = 0; k < from.contours[0].count; k++) {
         mt_point p = from.contours[0].segments[k].end, q = to.contours[0].segments[k].end,
                  m = half.contours[0].segments[k].end;
@@ -141,7 +142,7 @@ static void steps_follow_the_arc(void **state) {
     params.degrees = 0;
     params.rotation = MT_ROTATION_NONE;
     mt_assert_ok(mt_morph_prepare(&shape, &shape, NULL, &params, &arena, &morph));
-    assert_int_equal(mt_moving_steps(&morph, &moving, bound), 1);
+    assert_int_equal(mt_variable_outline_steps(&morph, &moving, bound), 1);
 }
 
 int main(void) {

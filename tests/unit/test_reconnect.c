@@ -33,16 +33,16 @@ static const int up[] = {80, 140}, right[] = {140, 80};
 static void the_smaller_part_comes_nearer(void **state) {
     (void)state;
     mt_morph morph = morph_of(up, right);
-    assert_true(mt_test_strays(&arena, &morph).parts > 0);
-    assert_int_equal(mt_test_mend(&arena, mt_draw_together, &morph).parts, 0);
-    assert_true(mt_test_aside(&morph, 0) == 0);
-    assert_true(mt_test_aside(&morph, 1) >= 10 && mt_test_aside(&morph, 1) <= 30);
+    assert_true(mt_test_topology_error(&arena, &morph).parts > 0);
+    assert_int_equal(mt_test_mend(&arena, mt_reconnect_parts, &morph).parts, 0);
+    assert_true(mt_test_displacement(&morph, 0) == 0);
+    assert_true(mt_test_displacement(&morph, 1) >= 10 && mt_test_displacement(&morph, 1) <= 30);
 }
 
 static void the_ends_stay(void **state) {
     (void)state;
     mt_morph morph = morph_of(up, right);
-    mt_test_mend(&arena, mt_draw_together, &morph);
+    mt_test_mend(&arena, mt_reconnect_parts, &morph);
     mt_test_ends_stay(&arena, &morph);
 }
 
@@ -51,18 +51,18 @@ static void a_wide_rift_stays(void **state) {
     (void)state;
     const int high[] = {80, 260}, far[] = {260, 80};
     mt_morph morph = morph_of(high, far);
-    int before = mt_test_strays(&arena, &morph).parts;
+    int before = mt_test_topology_error(&arena, &morph).parts;
     assert_true(before > 0);
-    assert_int_equal(mt_test_mend(&arena, mt_draw_together, &morph).parts, before);
-    assert_true(mt_test_aside(&morph, 0) == 0 && mt_test_aside(&morph, 1) == 0);
+    assert_int_equal(mt_test_mend(&arena, mt_reconnect_parts, &morph).parts, before);
+    assert_true(mt_test_displacement(&morph, 0) == 0 && mt_test_displacement(&morph, 1) == 0);
 }
 
 static void what_an_end_has_apart_stays(void **state) {
     (void)state;
     const int apart[] = {140, 140};
     mt_morph morph = morph_of(apart, right);
-    assert_int_equal(mt_test_mend(&arena, mt_draw_together, &morph).parts, 0);
-    assert_true(mt_test_aside(&morph, 0) == 0 && mt_test_aside(&morph, 1) == 0);
+    assert_int_equal(mt_test_mend(&arena, mt_reconnect_parts, &morph).parts, 0);
+    assert_true(mt_test_displacement(&morph, 0) == 0 && mt_test_displacement(&morph, 1) == 0);
 }
 
 int main(void) {

@@ -17,7 +17,7 @@ enum { CHORD = 128 };
 
 typedef struct side {
     mt_rings rings;
-    mt_stops stops;
+    mt_ring_samples samples;
 } side;
 
 static side side_of(const mt_contour *contour, double step) {
@@ -27,21 +27,21 @@ static side side_of(const mt_contour *contour, double step) {
     mt_assert_ok(mt_flatten(&outline, CHORD, &arena, &made.rings));
     assert_int_equal(made.rings.count, 1);
     mt_assert_ok(mt_trace_ring(&made.rings.rings[0], CHORD, &arena, &trace));
-    mt_assert_ok(mt_stops_of(&trace, 128, step, &arena, &made.stops));
+    mt_assert_ok(mt_ring_samples_of(&trace, 128, step, &arena, &made.samples));
     return made;
 }
 
-static mt_masters masters_of(const side *a, const side *b, double tolerance) {
+static mt_contour_pair masters_of(const side *a, const side *b, double tolerance) {
     mt_alignment alignment;
-    mt_masters masters;
-    mt_assert_ok(mt_align(&a->stops, mt_ring_box(&a->rings.rings[0]), &b->stops,
-                          mt_ring_box(&b->rings.rings[0]), &(mt_tariff){3, 4, 1}, &(mt_links){0}, &arena,
-                          &alignment));
-    mt_assert_ok(mt_masters_fit(&a->stops, &b->stops, &alignment, tolerance, &arena, &masters));
+    mt_contour_pair masters;
+    mt_assert_ok(mt_align(&a->samples, mt_ring_box(&a->rings.rings[0]), &b->samples,
+                          mt_ring_box(&b->rings.rings[0]), &(mt_cost_weights){3, 4, 1}, &(mt_links){0},
+                          &arena, &alignment));
+    mt_assert_ok(mt_contour_pair_fit(&a->samples, &b->samples, &alignment, tolerance, &arena, &masters));
     return masters;
 }
 
-static void check_compatible(const mt_masters *masters) {
+static void check_compatible(const mt_contour_pair *masters) {
     assert_int_equal(masters->a.count, masters->b.count);
     for (int i = 0; i < masters->a.count; i++) {
         assert_int_equal(masters->a.segments[i].degree, masters->b.segments[i].degree);
@@ -49,9 +49,9 @@ static void check_compatible(const mt_masters *masters) {
     }
 }
 
-static mt_contour mixed(const mt_masters *masters, double t) {
+static mt_contour mixed(const mt_contour_pair *masters, double t) {
     mt_contour contour;
-    mt_assert_ok(mt_masters_mix(masters, mt_weights_at(t), &arena, &contour));
+    mt_assert_ok(mt_contour_pair_mix(masters, mt_weights_at(t), &arena, &contour));
     return contour;
 }
 
@@ -82,7 +82,7 @@ static void ellipses(void **state) {
     mt_segment one[4], other[4];
     mt_contour wide = ellipse(one, 100000, 60000), tall = ellipse(other, 50000, 90000);
     side a = side_of(&wide, 10000), b = side_of(&tall, 10000);
-    mt_masters masters = masters_of(&a, &b, 128);
+    mt_contour_pair masters = masters_of(&a, &b, 128);
     check_compatible(&masters);
     assert_true(masters.a.count <= 24);
     for (int i = 0; i <= 4; i++) {
@@ -97,7 +97,7 @@ static void mixes(void **state) {
     (void)state;
     mt_segment one[] = {{1, {{0}}, {0, 0}}, {2, {{100, 0}}, {100, 100}}},
                other[] = {{1, {{0}}, {40, 80}}, {2, {{80, 0}}, {0, 0}}};
-    mt_masters masters = {.a = {2, one}, .b = {2, other}};
+    mt_contour_pair masters = {.a = {2, one}, .b = {2, other}};
     mt_contour contour = mixed(&masters, 0.25);
     assert_int_equal(contour.count, 2);
     assert_true(contour.segments[0].degree == 1 && contour.segments[1].degree == 2);
@@ -115,7 +115,7 @@ static void corners_on_both_sides(void **state) {
                             {1, {{0}}, {20000, 50000}},
                             {1, {{0}}, {0, 0}}};
     side a = side_of(&(mt_contour){4, box}, 10000), b = side_of(&(mt_contour){4, slanted}, 10000);
-    mt_masters masters = masters_of(&a, &b, 128);
+    mt_contour_pair masters = masters_of(&a, &b, 128);
     check_compatible(&masters);
     assert_in_range(masters.a.count, 4, 8); /* a corner may come a step before the other side's */
     mt_outline in_a = mt_curves_outline(&arena, &masters.a), in_b = mt_curves_outline(&arena, &masters.b);
@@ -135,7 +135,7 @@ static void random_contours(void **state) {
         mt_contour other = mt_random_contour(&random, &arena, mt_random_between(&random, 4, 7), 150000);
         side sides[] = {side_of(&one, 6000), side_of(&other, 6000)};
         const double tolerance = 256;
-        mt_masters masters = masters_of(&sides[0], &sides[1], tolerance);
+        mt_contour_pair masters = masters_of(&sides[0], &sides[1], tolerance);
         check_compatible(&masters);
         for (int s = 0; s < 2; s++) {
             mt_outline fitted = mt_curves_outline(&arena, s ? &masters.b : &masters.a);
