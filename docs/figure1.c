@@ -13,6 +13,7 @@
 #include "blend/pair.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/between/instance.h"
 #include "picture/canvas.h"
 #include "picture/label.h"
 

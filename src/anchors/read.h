@@ -6,6 +6,7 @@
 
 #include "layout/gdef_deltas.h"
 #include "layout/ot.h"
+#include "sfnt/sfnt.h"
 
 enum {
     MT_CURSIVE = 3,

@@ -4,6 +4,7 @@
 
 #include "anchors/anchor.h"
 #include "anchors/move.h"
+#include "sfnt/sfnt.h"
 
 /* The most steps (a glyph looked up, an anchor read) that a pair of fonts may cost, some seconds: a malformed
  * font can have the same tables in it thousands of times. The largest fonts take a hundredth of it. */

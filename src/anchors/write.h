@@ -4,6 +4,7 @@
 #define MT_ANCHORS_WRITE_H
 
 #include "anchors/anchor.h"
+#include "sfnt/sfnt.h"
 
 /* A list of subtables that grows in an arena; all zero is empty. */
 typedef struct mt_subtables {

@@ -4,6 +4,9 @@
 #include "blend/metadata.h"
 #include "blend/review.h"
 #include "geometry/limits.h"
+#include "morph/between/instance.h"
+#include "morph/model/params.h"
+#include "write/write.h"
 
 /* ---- the handle ---------------------------------------------------------------------------------------- */
 

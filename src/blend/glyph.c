@@ -2,6 +2,8 @@
  * font's own. */
 #include "blend/assemble.h"
 #include "blend/job.h"
+#include "morph/between/instance.h"
+#include "morph/prepare.h"
 
 /* ---- what the fonts have ------------------------------------------------------------------------------- */
 

@@ -17,6 +17,7 @@
 #include "gpos/kerning.h"
 #include "gsub/subset.h"
 #include "save/save.h"
+#include "sfnt/sfnt.h"
 #include "write/extent.h"
 
 struct mt_blend {

@@ -2,6 +2,7 @@
 #include "blend/job.h"
 
 #include "blend/metadata.h"
+#include "glyphset/new_names.h"
 #include "sfnt/sfnt.h"
 #include "source/glyph_names.h"
 

@@ -2,7 +2,7 @@
 #ifndef MT_BLEND_METADATA_H
 #define MT_BLEND_METADATA_H
 
-#include "write/write.h"
+#include "write/font_data.h"
 
 /* The new font's units per em: the larger of the sources', doubled until it is at least 1000 or, where it is a power of two,
  * 2048. On a coarse grid rounding alone blunts the thin tips of a brushed Han face. */

@@ -2,6 +2,7 @@
 
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/prepare.h"
 
 /* Where the drawing's own contours cross, the resolved shape has corners of its own, like any other. */
 static void crossings_are_corners(mt_shape *shape) {

@@ -5,7 +5,7 @@
 #include "hints/index.h"
 #include "morph/model/morph.h"
 #include "source/font.h"
-#include "write/write.h"
+#include "write/font_data.h"
 
 typedef struct mt_glyph_pair {
     mt_shape a, b;
@@ -13,9 +13,6 @@ typedef struct mt_glyph_pair {
     mt_vertical vertical_a, vertical_b;
     mt_morph morph;
 } mt_glyph_pair;
-
-/* MT_OK, or MT_BAD_PARAMETER when one is out of its range. */
-mt_status mt_params_check(const mt_params *params);
 
 /* Reads a glyph as a shape: outline, flattened within `tolerance` (1/1000 em), resolved into components. As
  * mt_font_outline and mt_union. */

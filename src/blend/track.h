@@ -3,7 +3,7 @@
 #define MT_BLEND_TRACK_H
 
 #include "source/font.h"
-#include "write/write.h"
+#include "write/font_data.h"
 
 /* Contours as 'glyf' has them, with their points at each of some places. Before the first place and behind the last they are
  * not there. */

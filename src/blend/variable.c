@@ -1,5 +1,6 @@
 /* The variable font of two or more fonts: what it goes by. */
 #include "blend/variable_job.h"
+#include "write/write.h"
 
 #include "save/save.h"
 

@@ -4,7 +4,10 @@
 
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/between/instance.h"
 #include "morph/between/variable_outline.h"
+#include "morph/prepare.h"
+#include "sfnt/axis.h"
 
 /* With rotation, how far a point may be from the way that formula (5) takes it, 1/1000 em. */
 #define TURN_WITHIN 1.0

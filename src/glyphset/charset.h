@@ -4,7 +4,7 @@
 
 #include "glyphset/match.h"
 #include "gsub/subset.h"
-#include "write/write.h"
+#include "write/font_data.h"
 
 /* A glyph of the new font: the glyphs of the two sources that it lies between. */
 typedef struct mt_pairing {

@@ -3,6 +3,7 @@
 #define MT_GPOS_GPOS_H
 
 #include "layout/systems.h"
+#include "sfnt/sfnt.h"
 
 /* Writes the table of all lookups that have members and subtables; no bytes where there is none. Lookups go by extension
  * where 16-bit offsets would not reach. In the arena. MT_NO_MEMORY, MT_TOO_LARGE. */

@@ -8,6 +8,7 @@
 
 #include "glyphset/charset.h"
 #include "layout/lookup_builder.h"
+#include "sfnt/sfnt.h"
 
 typedef struct mt_positions mt_positions;
 

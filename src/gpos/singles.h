@@ -9,6 +9,7 @@
 #include "layout/layout.h"
 #include "layout/lookup_builder.h"
 #include "layout/value.h"
+#include "sfnt/sfnt.h"
 
 /* The single adjustment of one font in some lookups. */
 typedef struct mt_single_source {

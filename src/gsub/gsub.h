@@ -4,6 +4,7 @@
 #define MT_GSUB_GSUB_H
 
 #include "layout/layout.h"
+#include "sfnt/sfnt.h"
 #include "sfnt/table.h"
 
 /* Types of lookups. */

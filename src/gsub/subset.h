@@ -3,6 +3,7 @@
 #define MT_GSUB_SUBSET_H
 
 #include "gsub/gsub.h"
+#include "sfnt/sfnt.h"
 
 typedef struct mt_layout_tables {
     mt_bytes gsub, gdef; /* in the arena; empty where there is none */

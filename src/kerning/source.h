@@ -8,6 +8,7 @@
 
 #include "layout/layout.h"
 #include "layout/value.h"
+#include "sfnt/sfnt.h"
 
 /* The parts of a pair's value: those of the left glyph's record, then those of the right glyph's. */
 enum { MT_PAIR_PARTS = 2 * MT_VALUE_PARTS };

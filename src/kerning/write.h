@@ -4,6 +4,7 @@
 
 #include "kerning/mix.h"
 #include "layout/lookup_builder.h"
+#include "sfnt/sfnt.h"
 
 /* PairPosFormat1 for the listed pairs, then PairPosFormat2 for the matrix: as many of each as 16-bit offsets ask for.
  * No left glyph is in two of the second format. No subtables where every value is 0. What varies goes into the store;

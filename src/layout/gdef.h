@@ -2,6 +2,7 @@
 #ifndef MT_LAYOUT_GDEF_H
 #define MT_LAYOUT_GDEF_H
 
+#include "sfnt/sfnt.h"
 #include "sfnt/var_store.h"
 #include "source/font.h"
 

@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "layout/ot.h"
+#include "sfnt/sfnt.h"
 
 typedef struct mt_gdef_deltas {
     mt_bytes store;

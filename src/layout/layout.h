@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "layout/ot.h"
+#include "sfnt/sfnt.h"
 
 #define MT_LANGUAGE_DEFAULT 0u /* the language of a script's default language system */
 

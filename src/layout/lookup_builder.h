@@ -3,6 +3,7 @@
 #define MT_LAYOUT_LOOKUP_BUILDER_H
 
 #include "layout/layout.h"
+#include "sfnt/sfnt.h"
 #include "sfnt/table.h"
 
 /* A Coverage table of these glyphs, ascending, in the shorter format. */

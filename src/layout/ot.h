@@ -5,6 +5,7 @@
 #ifndef MT_LAYOUT_OT_H
 #define MT_LAYOUT_OT_H
 
+#include "sfnt/sfnt.h"
 #include "source/font.h"
 
 /* Whether `length` bytes at `at` lie within. */

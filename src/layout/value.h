@@ -3,6 +3,7 @@
 #define MT_LAYOUT_VALUE_H
 
 #include "layout/gdef_deltas.h"
+#include "sfnt/sfnt.h"
 
 /* XPlacement, YPlacement, XAdvance, YAdvance: the order of the bits of a value format. */
 enum { MT_VALUE_PARTS = 4, MT_VALUE_X_ADVANCE = 2 };

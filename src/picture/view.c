@@ -1,6 +1,7 @@
 #include "picture/view.h"
 
 #include "geometry/decompose.h"
+#include "morph/model/params.h"
 
 #include <string.h>
 

@@ -1,6 +1,7 @@
 /* The figures of one glyph: what is counted on each in-between, and on the ends to hold it against. */
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/between/instance.h"
 #include "report/report.h"
 
 #include <math.h>

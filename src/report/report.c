@@ -5,6 +5,8 @@
 #include "base/workers.h"
 #include "blend/metadata.h"
 #include "glyphset/charset.h"
+#include "morph/model/params.h"
+#include "morph/prepare.h"
 
 #include <stdlib.h>
 #include <string.h>

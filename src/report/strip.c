@@ -1,6 +1,7 @@
 /* The strip of a glyph in the report's page: an SVG picture for each place, so that a narrow page can break the row. Whole
  * thousandths of the em, y downwards; relative commands, which are shorter. */
 #include "geometry/limits.h"
+#include "morph/between/instance.h"
 #include "report/report.h"
 
 #include <math.h>

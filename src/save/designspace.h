@@ -4,7 +4,7 @@
 
 #include "base/folder.h"
 #include "sfnt/axis_map.h"
-#include "write/write.h"
+#include "write/font_data.h"
 
 /* In the making: nothing is in its place yet. */
 typedef struct mt_designspace {
@@ -22,7 +22,7 @@ mt_status mt_designspace_check(const char *path);
 
 /* Keeps using the map. */
 mt_status mt_designspace_begin(const char *path, const mt_axis_map *map, mt_designspace *designspace);
-/* Adds the master at a place of the axis (variation.h); the first is at its start, and the last at its end. As mt_ufo_write. */
+/* Adds the master at a place of the axis (axis_data.h); the first is at its start, and the last at its end. As mt_ufo_write. */
 mt_status mt_designspace_add(mt_designspace *designspace, const mt_font_data *master, int place);
 /* Moves both to their places, or neither. MT_CANNOT_WRITE (errno says why), MT_NO_MEMORY. */
 mt_status mt_designspace_place(mt_designspace *designspace);

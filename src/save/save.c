@@ -12,6 +12,7 @@
 #include "save/ufo.h"
 #include "save/woff2.h"
 #include "save/woff2_plain.h"
+#include "write/write.h"
 
 /* ---- formats ---------------------------------------------------------------------------------------------- */
 

@@ -3,7 +3,7 @@
 #define MT_SAVE_SAVE_H
 
 #include "sfnt/axis_map.h"
-#include "write/write.h"
+#include "write/font_data.h"
 
 typedef enum mt_font_format {
     MT_FONT_TTF,
@@ -30,7 +30,7 @@ mt_status mt_variable_make(mt_variable *variable, mt_font_ready ready, void *use
 /* variable.c: its map, as mt_variable_set_map has it. */
 const mt_axis_map *mt_variable_map(const mt_variable *variable);
 /* The same as masters, fonts that do not vary and whose glyphs have the same points: each with its place on the axis
- * (variation.h) as the index, in this order. */
+ * (axis_data.h) as the index, in this order. */
 mt_status mt_variable_masters(mt_variable *variable, mt_font_ready ready, void *user);
 
 typedef struct mt_saving {

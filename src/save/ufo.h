@@ -3,7 +3,7 @@
 #define MT_SAVE_UFO_H
 
 #include "base/folder.h"
-#include "write/write.h"
+#include "write/font_data.h"
 
 /* The file that every UFO has. */
 #define MT_UFO_MARK "metainfo.plist"

@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "base/xml.h"
 #include "gpos/kerning.h"
-#include "write/write.h"
+#include "write/font_data.h"
 
 /* What the parts share of the glyphs, which belongs to an arena. */
 typedef struct mt_ufo_glyphs {

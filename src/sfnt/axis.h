@@ -5,7 +5,9 @@
 #include <math.h>
 
 #include "sfnt/sfnt.h"
-#include "sfnt/variation.h"
+
+/* A place on the axis as the tables have it (F2Dot14): 0 is where the font stands without a setting, MT_PLACE_ONE the end. */
+enum { MT_PLACE_ONE = 1 << 14 };
 
 #define MT_AXIS_TAG MT_TAG('M', 'R', 'P', 'H')
 #define MT_AXIS_TAG_TEXT "MRPH"

@@ -10,7 +10,7 @@ typedef struct mt_map_point {
     double place; /* how far the font has got there; 100 is the last of its sources */
 } mt_map_point;
 
-/* Values ascend, and stay apart when rounded to places of the tables (variation.h); places do not descend. The first point is
+/* Values ascend, and stay apart when rounded to places of the tables (axis_data.h); places do not descend. The first point is
  * 0, 0 and the last MT_AXIS_END, MT_AXIS_END. */
 typedef struct mt_axis_map {
     int count; /* 0: each value is its place */

@@ -8,6 +8,11 @@
 
 #define MT_TAG(a, b, c, d) ((uint32_t)(a) << 24 | (uint32_t)(b) << 16 | (uint32_t)(c) << 8 | (uint32_t)(d))
 
+typedef struct mt_bytes {
+    const uint8_t *bytes;
+    size_t length;
+} mt_bytes;
+
 static inline unsigned mt_read_u16(const uint8_t *bytes) {
     return (unsigned)bytes[0] << 8 | bytes[1];
 }

@@ -4,6 +4,7 @@
 
 #include "geometry/outline.h"
 #include "morphotype.h"
+#include "sfnt/sfnt.h"
 
 /* Font-wide figures that a blend interpolates, in font units unless said otherwise. */
 typedef struct mt_metrics {
@@ -39,11 +40,6 @@ void mt_font_metrics(const mt_font *font, mt_metrics *metrics);
 void mt_font_names(const mt_font *font, mt_names *names);
 int64_t mt_font_modified(const mt_font *font);   /* head's time: seconds since 1904; 0 when there is none */
 uint16_t mt_font_embedding(const mt_font *font); /* OS/2 fsType */
-
-typedef struct mt_bytes {
-    const uint8_t *bytes;
-    size_t length;
-} mt_bytes;
 
 /* A table of an sfnt font, out of any container, in the arena; no bytes where the font has none of that tag or is no
  * sfnt. Not for two threads at once. MT_NO_MEMORY. */

@@ -5,6 +5,7 @@
 #include "base/html.h"
 #include "save/save.h"
 #include "specimen/page.h"
+#include "write/write.h"
 
 #include <string.h>
 #include <strings.h>

@@ -2,7 +2,7 @@
 #ifndef MT_WRITE_EXTENT_H
 #define MT_WRITE_EXTENT_H
 
-#include "write/write.h"
+#include "write/font_data.h"
 
 /* How deep references may lead to glyphs that have references. Fonts need two or three. */
 enum { MT_GLYF_DEPTH_MAX = 8 };

@@ -5,6 +5,7 @@
  * straight line. A place that several glyphs have is a shared tuple; it is stored once. */
 #include <string.h>
 
+#include "sfnt/axis.h"
 #include "write/gvar_pack.h"
 #include "write/iup.h"
 #include "write/tables.h"

@@ -4,7 +4,7 @@
 #define MT_WRITE_IUP_H
 
 #include "base/memory.h"
-#include "write/write.h"
+#include "write/font_data.h"
 
 /* Sets told[i] for as few points of the glyph's contours as it finds to suffice: every other point's inferred move is within
  * `tolerance` font units of its own, in x and in y. Those of a contour without any stay where they are. There is one `told`

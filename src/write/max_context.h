@@ -2,6 +2,7 @@
 #ifndef MT_WRITE_MAX_CONTEXT_H
 #define MT_WRITE_MAX_CONTEXT_H
 
+#include "sfnt/sfnt.h"
 #include "source/font.h"
 
 /* Of a GSUB or GPOS (OpenType spec, "OS/2": usMaxContext): 1 for a glyph by itself, 2 for a pair, the components of a

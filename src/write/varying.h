@@ -4,7 +4,8 @@
 #define MT_WRITE_VARYING_H
 
 #include "base/memory.h"
-#include "write/write.h"
+#include "sfnt/sfnt.h"
+#include "write/font_data.h"
 
 /* Gives each stop one height of lines, that in use there: OS/2's typographic lines and hhea's are the same, and the
  * former are used. For MVAR's "hasc", "hdsc" and "hlgp" are of OS/2, and readers add them to whichever lines they use. */

@@ -1,5 +1,7 @@
 /* A font from plain data: each table made by hand, HarfBuzz's face builder for the container and its
  * checksums. */
+#include "write/write.h"
+
 #include "write/tables.h"
 
 #include <hb.h>

@@ -10,7 +10,10 @@
 #include "geometry/decompose.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/between/instance.h"
+#include "morph/prepare.h"
 #include "support/fonts.h"
+#include "write/write.h"
 
 enum { READ, FLATTEN, RESOLVE, DECOMPOSE, MATCH, BLEND, FIT, WRITE, STAGES };
 static const char *const names[STAGES] = {"read",  "flatten", "resolve", "decompose",

@@ -16,6 +16,7 @@
 
 #include "blend/pair.h"
 #include "geometry/limits.h"
+#include "morph/between/instance.h"
 #include "morph/fit/contour_pair.h"
 #include "support/code_points.h"
 

@@ -4,6 +4,7 @@
 #include "geometry/decompose.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/between/instance.h"
 #include "support/check.h"
 #include "support/fonts.h"
 #include "support/polygons.h"

@@ -4,7 +4,9 @@
  * Whether links are left, and into how many shares and contours the sides are cut, is the same too. */
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/between/instance.h"
 #include "morph/model/morph.h"
+#include "morph/prepare.h"
 #include "support/check.h"
 #include "support/corpus.h"
 #include "support/oracle.h"

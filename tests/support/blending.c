@@ -13,6 +13,7 @@
 #include "support/shaping.h"
 #include "support/varying.h"
 #include "write/varying.h"
+#include "write/write.h"
 
 /* ---- blends -------------------------------------------------------------------------------------------- */
 

@@ -2,6 +2,7 @@
 
 #include "sfnt/sfnt.h"
 #include "support/check.h"
+#include "write/write.h"
 
 #include <string.h>
 

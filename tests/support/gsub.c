@@ -7,6 +7,7 @@
 #include "sfnt/table.h"
 #include "support/check.h"
 #include "support/sample.h"
+#include "write/write.h"
 
 enum { NUMBERS_MAX = 16, RULES_MAX = 32, EXTENSION = 7 };
 

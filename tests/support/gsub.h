@@ -3,7 +3,7 @@
 #define MT_TEST_GSUB_H
 
 #include "base/memory.h"
-#include "write/write.h"
+#include "write/font_data.h"
 
 /* One lookup of one subtable, as text: a feature, a language of the script latn (NULL: the default one), and what is
  * substituted. A feature of four spaces applies nothing: contexts may call the lookup.

@@ -5,6 +5,7 @@
 
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/between/instance.h"
 #include "support/check.h"
 #include "support/polygons.h"
 

@@ -3,7 +3,7 @@
 #define MT_TEST_SAMPLE_H
 
 #include "base/memory.h"
-#include "write/write.h"
+#include "write/font_data.h"
 
 /* 1000 units; .notdef, A (a triangle), o (a circle of four off-curve points only), é (two squares) and
  * U+1F600 (a glyph without contours). Everything that may be changed is in the arena. */

@@ -6,6 +6,7 @@
 #include "support/fonts.h"
 #include "support/random.h"
 #include "support/sample.h"
+#include "write/write.h"
 
 #include <errno.h>
 #include <stdio.h>

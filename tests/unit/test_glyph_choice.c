@@ -5,6 +5,7 @@
 #include "glyphset/charset.h"
 #include "gsub/subset.h"
 #include "sfnt/sfnt.h"
+#include "write/write.h"
 
 #include <hb-ot.h>
 #include <stdio.h>

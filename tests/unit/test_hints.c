@@ -4,6 +4,7 @@
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/sample.h"
+#include "write/write.h"
 
 #include <errno.h>
 #include <stdio.h>

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "glyphset/new_names.h"
 #include "gsub/subset.h"
 #include "layout/lookup_builder.h"
 #include "sfnt/table.h"
@@ -12,6 +13,7 @@
 #include "support/check.h"
 #include "support/gsub.h"
 #include "support/sample.h"
+#include "write/write.h"
 
 static mt_arena arena;
 static char *directory;

@@ -4,6 +4,7 @@
 #include "source/reserved.h"
 #include "support/check.h"
 #include "support/sample.h"
+#include "write/write.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,7 @@
 #include "geometry/limits.h"
+#include "morph/between/instance.h"
 #include "morph/model/morph.h"
+#include "morph/prepare.h"
 #include "support/check.h"
 #include "support/corpus.h"
 #include "support/curves.h"

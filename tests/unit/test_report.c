@@ -1,4 +1,5 @@
 #include "geometry/limits.h"
+#include "morph/prepare.h"
 #include "report/report.h"
 #include "support/check.h"
 #include "support/polygons.h"

@@ -4,6 +4,8 @@
 
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/between/instance.h"
+#include "morph/prepare.h"
 #include "support/check.h"
 #include "support/polygons.h"
 

@@ -11,6 +11,7 @@
 #include "support/random.h"
 #include "support/sample.h"
 #include "write/extent.h"
+#include "write/write.h"
 
 enum { PLACES_MAX = 5, GLYPHS = 5 };
 

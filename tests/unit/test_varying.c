@@ -14,6 +14,7 @@
 #include "support/sample.h"
 #include "support/shaping.h"
 #include "support/varying.h"
+#include "write/write.h"
 
 enum { STOPS_MOST = 4, GLYPHS = 600, UNITS = 1000, FINE = 64 /* of mt_shaping_font */ };
 

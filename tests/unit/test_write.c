@@ -7,6 +7,7 @@
 #include "support/sample.h"
 #include "write/extent.h"
 #include "write/max_context.h"
+#include "write/write.h"
 
 #include <limits.h>
 #include <math.h>

@@ -9,11 +9,6 @@
 
 #include "morph/model/morph.h"
 
-typedef struct mt_variable_outline {
-    int count;
-    mt_contour_pair *contours; /* of B turned by -degrees, as in the morph */
-} mt_variable_outline;
-
 /* In the arena. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_variable_outline_make(const mt_morph *morph, const mt_params *params, mt_arena *arena,
                                    mt_variable_outline *moving);

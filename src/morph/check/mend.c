@@ -3,6 +3,7 @@
 #include <limits.h>
 
 #include "geometry/limits.h"
+#include "morph/between/instance.h"
 
 static mt_status look(mt_mending *m, int enough, mt_topology_error *by) {
     mt_status status = mt_morph_topology_error(m->morph, enough, m->params, m->arena, by);

@@ -4,6 +4,7 @@
 
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/between/instance.h"
 
 /* ---- one shape ------------------------------------------------------------------------------------------- */
 

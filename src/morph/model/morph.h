@@ -1,5 +1,5 @@
-/* The morph: two shapes in, every shape between them out. Sections 2.1 to 2.3 of the paper, in its order.
- * Knows geometry only: no fonts, no files. */
+/* What all of the morph knows: two sides in convex pieces, what goes with what, and the contours that move (sections 2.1 to 2.3
+ * of the paper, in its order). Knows geometry only: no fonts, no files. */
 #ifndef MT_MORPH_MODEL_MORPH_H
 #define MT_MORPH_MODEL_MORPH_H
 
@@ -45,28 +45,10 @@ typedef struct mt_morph {
     double degrees; /* q of formula (5); 0 without rotation */
 } mt_morph;
 
-/* Decomposes and matches, as `hints` (unless NULL) say where they say something; with MT_METHOD_JOINT, aligns what can be. Everything lives in the arena, and the
- * shapes must stay as long as the morph. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY; MT_NO_COUNTERPART when
- * one shape has ink and the other none. */
-mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints *hints,
-                           const mt_params *params, mt_arena *arena, mt_morph *morph);
-
-/* The rings that the blend at these weights is the union of: links' sums, and contours flattened within the params' tolerance. */
-mt_status mt_morph_rings(const mt_morph *morph, mt_weights weights, const mt_params *params, mt_arena *arena,
-                         mt_rings *rings);
-
-/* The blend C(r), or C_int(r) with rotation, as polygons: the ink at these weights. May be called for many
- * weights. */
-mt_status mt_morph_blend(const mt_morph *morph, mt_weights weights, const mt_params *params, mt_arena *arena,
-                         mt_shape *blend);
-
-/* The same as curves: the contours of aligned components as they are, the others' union fitted; where these
- * overlap, or a contour crosses itself, the union of all, fitted. */
-mt_status mt_morph_outline(const mt_morph *morph, mt_weights weights, const mt_params *params,
-                           mt_arena *arena, mt_outline *outline);
-
-/* The outline of a shape by itself, curves fitted as in a blend. MT_NO_MEMORY. */
-mt_status mt_shape_outline(const mt_shape *shape, const mt_params *params, mt_arena *arena,
-                           mt_outline *outline);
+/* A morph as moving contours: compatible masters for all of it (between/variable_outline.h). */
+typedef struct mt_variable_outline {
+    int count;
+    mt_contour_pair *contours; /* of B turned by -degrees, as in the morph */
+} mt_variable_outline;
 
 #endif

@@ -1,6 +1,6 @@
-#include <math.h>
+#include "morph/model/params.h"
 
-#include "blend/pair.h"
+#include <math.h>
 
 /* How the defaults were chosen is in docs/paper.md, with the figures. */
 mt_params mt_params_default(void) {

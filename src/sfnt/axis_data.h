@@ -1,13 +1,10 @@
 /* How a font in writing varies along its one axis, as plain data. */
-#ifndef MT_SFNT_VARIATION_H
-#define MT_SFNT_VARIATION_H
+#ifndef MT_SFNT_AXIS_DATA_H
+#define MT_SFNT_AXIS_DATA_H
 
 #include <stdint.h>
 
 #include "sfnt/axis_map.h"
-
-/* A place on the axis as the tables have it (F2Dot14): 0 is where the font stands without a setting, MT_PLACE_ONE the end. */
-enum { MT_PLACE_ONE = 1 << 14 };
 
 /* By how far a point moves, font units. */
 typedef struct mt_move {

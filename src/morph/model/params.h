@@ -1,0 +1,10 @@
+/* The parameters' ranges. */
+#ifndef MT_MORPH_MODEL_PARAMS_H
+#define MT_MORPH_MODEL_PARAMS_H
+
+#include "morphotype.h"
+
+/* MT_OK, or MT_BAD_PARAMETER when one is out of its range (morphotype.h). */
+mt_status mt_params_check(const mt_params *params);
+
+#endif
