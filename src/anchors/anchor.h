@@ -66,13 +66,4 @@ typedef struct mt_anchors {
     mt_anchor_lookup *lookups; /* in A's order; none is empty */
 } mt_anchors;
 
-/* Reads the anchors of all fonts, one source each, for their glyphs, in `units` per em. Malformed subtables are
- * left out; so is what comes after more work than any font needs (MT_ANCHOR_STEPS_MAX). MT_NO_MEMORY. */
-mt_status mt_anchors_prepare(const mt_anchor_source *sources, const mt_systems *systems,
-                             const mt_font_glyphs *glyphs, int units, mt_arena *arena, mt_anchors *anchors);
-
-/* Adds the lookups at these places to GPOS in the making. MT_NO_MEMORY, MT_TOO_LARGE. */
-mt_status mt_anchors_write(const mt_anchors *anchors, const mt_places *places, mt_arena *arena,
-                           mt_lookup_builders *made);
-
 #endif

@@ -1,7 +1,9 @@
 /* One mark attachment subtable of A's, blended with what the other fonts have for the same marks and bases. */
-#include "anchors/class.h"
+#include "anchors/blend.h"
 
 #include <stdlib.h>
+
+#include "anchors/class.h"
 
 /* More components of bases in a subtable are left out: the largest have some thousands. */
 enum { ROWS_MAX = 1 << 18 };

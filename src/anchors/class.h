@@ -2,7 +2,7 @@
 #ifndef MT_ANCHORS_CLASS_H
 #define MT_ANCHORS_CLASS_H
 
-#include "anchors/subtable.h"
+#include "anchors/rivals.h"
 
 /* A mark with its class and anchor in one of the fonts. */
 typedef struct mt_read_mark {

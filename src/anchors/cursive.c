@@ -1,6 +1,6 @@
 /* One cursive attachment subtable of A's, blended. A glyph's anchors are mixed each on its own, because both
  * are places on its outline; what only A has moves with it. */
-#include "anchors/subtable.h"
+#include "anchors/cursive.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "anchors/subtable.h"
+#include "anchors/rivals.h"
 
 enum { SUBTABLE_STEPS = 16 }; /* what one that is listed counts for */
 

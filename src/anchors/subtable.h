@@ -13,12 +13,6 @@
 /* What an anchor that is kept counts for, in steps: memory for a million. */
 enum { MT_ANCHOR_KEPT_STEPS = 32 };
 
-/* Another font's subtables that may anchor what a lookup of A's does; the first that applies decides. */
-typedef struct mt_rivals {
-    int count;
-    mt_bytes *subtables;
-} mt_rivals;
-
 typedef struct mt_anchor_job {
     const mt_anchor_source *sources;
     double scales[MT_STOPS_MAX]; /* new units in a unit of each */
@@ -38,7 +32,7 @@ typedef struct mt_entry {
     int index;
 } mt_entry;
 
-/* anchors.c. Takes steps; false when there are not so many left: then the rest is left out. */
+/* Takes steps; false when there are not so many left: then the rest is left out. */
 bool mt_anchor_spend(mt_anchor_job *job, int64_t steps);
 /* The new glyphs of A's glyphs in a coverage, ascending, in the scratch. MT_NO_MEMORY. */
 mt_status mt_anchor_entries(mt_anchor_job *job, mt_bytes coverage, mt_entry **entries, int *count);
@@ -49,16 +43,5 @@ mt_anchor mt_anchor_new(mt_anchor_job *job, mt_anchor from, int known, mt_arena 
 mt_anchor_point mt_anchor_scaled(const mt_anchor_job *job, int font, mt_anchor_point point);
 /* Moves the anchor with the outline of its glyph from A to another font. MT_NO_MEMORY. */
 mt_status mt_anchor_move(mt_anchor_job *job, int font, int glyph, mt_anchor anchor);
-
-/* anchor_rivals.c. The font's subtables of the type in the features and language systems that A's lookup is in: of
- * later lookups first, because those are applied last and so decide. In the arena. MT_NO_MEMORY. */
-mt_status mt_rivals_find(mt_anchor_job *job, int font, const mt_lookup_builder *lookup, mt_rivals *rivals);
-
-/* anchor_blend.c, anchor_cursive.c: add what becomes of a subtable of A's to the lookup; `rivals` are those of each font,
- * none of the first. MT_NO_MEMORY. */
-mt_status mt_attachment_blend(mt_anchor_job *job, mt_bytes subtable, const mt_rivals *rivals,
-                              mt_anchor_lookup *lookup);
-mt_status mt_cursive_blend(mt_anchor_job *job, mt_bytes subtable, const mt_rivals *rivals,
-                           mt_anchor_lookup *lookup);
 
 #endif

@@ -1,22 +1,7 @@
 #include "anchors/write.h"
 
-#include <string.h>
-
-mt_status mt_subtables_add(mt_table *table, mt_arena *arena, mt_subtables *subtables) {
-    mt_bytes kept;
-    mt_status status = mt_table_keep(table, arena, &kept);
-    if (status != MT_OK) return status;
-    if (subtables->count == subtables->room) {
-        int room = subtables->room ? 2 * subtables->room : 8;
-        mt_bytes *grown = mt_arena_new(arena, (size_t)room, sizeof *grown);
-        if (!grown) return MT_NO_MEMORY;
-        if (subtables->list) memcpy(grown, subtables->list, (size_t)subtables->count * sizeof *grown);
-        subtables->list = grown;
-        subtables->room = room;
-    }
-    subtables->list[subtables->count++] = kept;
-    return MT_OK;
-}
+#include "anchors/write_cursive.h"
+#include "anchors/write_marks.h"
 
 static mt_status write_lookup(const mt_anchor_lookup *lookup, const mt_places *places, mt_arena *arena,
                               mt_lookup_builders *made) {

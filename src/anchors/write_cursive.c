@@ -1,6 +1,6 @@
 /* Cursive attachment as subtables of type 3. */
 #include "anchors/pool.h"
-#include "anchors/write.h"
+#include "anchors/write_cursive.h"
 
 /* Glyphs in a part of what does not fit in one subtable. A glyph takes at most 18 bytes of a subtable, 12 where
  * it has one anchor in it; those of two parts have one each. Where anchors vary, it takes 50 and 28. */

@@ -1,6 +1,6 @@
 /* Marks of one class and their bases as subtables of types 4 to 6. */
 #include "anchors/pool.h"
-#include "anchors/write.h"
+#include "anchors/write_marks.h"
 
 /* A subtable has a header, both coverages, the marks and the bases, in this order. With so many marks, of 10 bytes
  * each, and bases that take up to 64 KB, 8 bytes at least each, the bases start under 64 KB; where anchors vary, a mark

@@ -3,7 +3,6 @@
 #define MT_GPOS_POSITION_DATA_H
 
 #include "anchors/anchor.h"
-#include "gpos/positions.h"
 #include "gpos/singles.h"
 #include "kerning/pairs.h"
 #include "layout/lookup_groups.h"
@@ -21,7 +20,7 @@ typedef struct mt_single_position {
     mt_singles singles;
 } mt_single_position;
 
-struct mt_positions {
+typedef struct mt_positions {
     int font_count;
     mt_systems systems;
     int pair_count, single_count;
@@ -30,6 +29,6 @@ struct mt_positions {
     bool has_plain_kerning;
     mt_pairs plain_kerning; /* all of the kern feature that Latin text is set by, whatever the flags */
     mt_anchors anchors;
-};
+} mt_positions;
 
 #endif

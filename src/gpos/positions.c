@@ -1,7 +1,11 @@
 #include "gpos/positions.h"
 
+#include "anchors/anchors.h"
+#include "anchors/write.h"
 #include "gpos/gpos.h"
 #include "gpos/position_data.h"
+#include "kerning/kern_table.h"
+#include "kerning/prepare.h"
 #include "kerning/write.h"
 #include "layout/gdef.h"
 #include "sfnt/sfnt.h"

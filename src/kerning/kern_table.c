@@ -2,16 +2,17 @@
 
 /* ---- the table ----------------------------------------------------------------------------------------- */
 
-typedef struct mt_kern_walk {
+typedef struct mt_kern_reader {
     mt_bytes rest; /* from the next subtable on */
     uint32_t left; /* subtables */
     bool apple;    /* version 1.0, with 32-bit lengths */
-} mt_kern_walk;
+} mt_kern_reader;
 
-static mt_kern_walk start_walk(mt_bytes kern) {
-    if (mt_ot_u16(kern, 0) == 0) return (mt_kern_walk){mt_ot_at(kern, 4), mt_ot_u16(kern, 2), false};
-    if (mt_ot_u32(kern, 0) == 0x00010000) return (mt_kern_walk){mt_ot_at(kern, 8), mt_ot_u32(kern, 4), true};
-    return (mt_kern_walk){0};
+static mt_kern_reader start_reading(mt_bytes kern) {
+    if (mt_ot_u16(kern, 0) == 0) return (mt_kern_reader){mt_ot_at(kern, 4), mt_ot_u16(kern, 2), false};
+    if (mt_ot_u32(kern, 0) == 0x00010000)
+        return (mt_kern_reader){mt_ot_at(kern, 8), mt_ot_u32(kern, 4), true};
+    return (mt_kern_reader){0};
 }
 
 /* OpenType: horizontal, of no minima, not across the line; Apple: not vertical, across the line or varying. */
@@ -20,16 +21,16 @@ static bool kerns_along_the_line(unsigned coverage, bool apple) {
 }
 
 /* The next subtable that can be read; false at the end. */
-static bool next_subtable(mt_kern_walk *walk, mt_pair_subtable *subtable) {
-    while (walk->left > 0 && walk->rest.length > 0) {
-        mt_bytes table = walk->rest;
-        size_t header = walk->apple ? 8 : 6;
-        size_t length = walk->apple ? mt_ot_u32(table, 0) : mt_ot_u16(table, 2);
+static bool next_subtable(mt_kern_reader *reader, mt_pair_subtable *subtable) {
+    while (reader->left > 0 && reader->rest.length > 0) {
+        mt_bytes table = reader->rest;
+        size_t header = reader->apple ? 8 : 6;
+        size_t length = reader->apple ? mt_ot_u32(table, 0) : mt_ot_u16(table, 2);
         unsigned coverage = mt_ot_u16(table, 4);
-        unsigned format = walk->apple ? coverage & 0xFF : coverage >> 8;
-        walk->rest = length < header ? (mt_bytes){0} : mt_ot_at(table, length);
-        walk->left--;
-        if ((format != 0 && format != 2) || !kerns_along_the_line(coverage, walk->apple)) continue;
+        unsigned format = reader->apple ? coverage & 0xFF : coverage >> 8;
+        reader->rest = length < header ? (mt_bytes){0} : mt_ot_at(table, length);
+        reader->left--;
+        if ((format != 0 && format != 2) || !kerns_along_the_line(coverage, reader->apple)) continue;
         *subtable = (mt_pair_subtable){
             .kind = format == 0 ? MT_KERN_LISTED : MT_KERN_CLASSED, .table = table, .header = header};
         return true;
@@ -38,17 +39,17 @@ static bool next_subtable(mt_kern_walk *walk, mt_pair_subtable *subtable) {
 }
 
 bool mt_kern_table_kerns(mt_bytes kern) {
-    mt_kern_walk walk = start_walk(kern);
+    mt_kern_reader reader = start_reading(kern);
     mt_pair_subtable subtable;
-    return next_subtable(&walk, &subtable);
+    return next_subtable(&reader, &subtable);
 }
 
 mt_status mt_pair_source_kern(mt_bytes kern, double scale, mt_arena *arena, mt_pair_source *source) {
     mt_pair_source made = {.scale = scale, .parts = 1u << MT_VALUE_X_ADVANCE};
-    mt_kern_walk walk = start_walk(kern), again = walk;
+    mt_kern_reader reader = start_reading(kern), again = reader;
     mt_pair_subtable subtable;
     int room = 0;
-    while (room < MT_PAIR_SUBTABLES_MAX && next_subtable(&walk, &subtable)) room++;
+    while (room < MT_PAIR_SUBTABLES_MAX && next_subtable(&reader, &subtable)) room++;
     made.subtables = mt_arena_new(arena, (size_t)room + 1, sizeof *made.subtables);
     if (!made.subtables) return MT_NO_MEMORY;
     for (; made.count < room && next_subtable(&again, &subtable); made.count++) {

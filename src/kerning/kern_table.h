@@ -2,7 +2,12 @@
 #ifndef MT_KERNING_KERN_TABLE_H
 #define MT_KERNING_KERN_TABLE_H
 
-#include "kerning/source.h"
+#include "kerning/subtable.h"
+
+/* The pair adjustment of a 'kern' table: formats 0 and 2, horizontal, neither of minima nor across the line. MT_NO_MEMORY. */
+mt_status mt_pair_source_kern(mt_bytes kern, double scale, mt_arena *arena, mt_pair_source *source);
+/* Whether a 'kern' table has any such subtable. */
+bool mt_kern_table_kerns(mt_bytes kern);
 
 /* Format 0, pairs in ascending order: those of a left glyph; the value of a pair, 0 where it is not listed. */
 int mt_kern_listed_count(const mt_pair_subtable *subtable, uint32_t left);

@@ -43,10 +43,4 @@ typedef struct mt_pairs {
  * tenth. */
 enum { MT_PAIR_CELLS_MAX = 1 << 22, MT_PAIRS_LISTED_MAX = 1 << 20, MT_PAIR_STEPS_MAX = 1 << 26 };
 
-/* `most` is how many cells the new classes of two fonts may make, MT_PAIR_CELLS_MAX at most, and of more fonts the
- * fewer; `steps` is what is left of the steps, and
- * is taken from; there is a source for each font. MT_TOO_LARGE for more than that, MT_NO_MEMORY. */
-mt_status mt_pairs_prepare(const mt_pair_source *const *sources, const mt_font_glyphs *glyphs, int most,
-                           int64_t *steps, mt_arena *arena, mt_pairs *pairs);
-
 #endif

@@ -12,24 +12,4 @@
 mt_status mt_pairs_write(const mt_mixed_pairs *mixed, mt_var_store *store, mt_arena *arena,
                          mt_bytes **subtables, int *count);
 
-/* What the writers of the two formats share: subtables as they are made. */
-typedef struct mt_pair_writer {
-    const mt_mixed_pairs *mixed;
-    mt_var_store *store;
-    mt_arena *arena;
-    mt_bytes *subtables;
-    int count, room;
-} mt_pair_writer;
-
-/* Takes a subtable, and frees the table. MT_NO_MEMORY. */
-mt_status mt_pair_writer_add(mt_pair_writer *writer, mt_table *table);
-void mt_pair_write_header(mt_table *table, int format, size_t coverage, mt_value_format values);
-
-/* pair_write_list.c, pair_write_matrix.c */
-mt_status mt_pair_write_list(mt_pair_writer *writer);
-mt_status mt_pair_write_matrix(mt_pair_writer *writer);
-
-/* Where a 16-bit offset may lead at most. */
-enum { MT_OFFSET_MAX = UINT16_MAX };
-
 #endif

@@ -2,7 +2,7 @@
 #include <limits.h>
 #include <string.h>
 
-#include "kerning/write.h"
+#include "kerning/write_list.h"
 
 /* The pairs of one left glyph, as listed; equal sets of a subtable share one place in it. */
 typedef struct mt_pair_set {
@@ -117,7 +117,7 @@ static mt_status flush(mt_pair_writer *writer, mt_list_part *part, mt_arena *scr
     part->pool = mt_variation_pool_make(writer->store);
     part->length = 0;
     part->count = 0;
-    if (status == MT_OK) status = mt_pair_writer_add(writer, &table);
+    if (status == MT_OK) status = mt_subtables_add(&table, writer->arena, &writer->subtables);
     mt_table_free(&table);
     return status;
 }

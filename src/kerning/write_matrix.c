@@ -1,7 +1,7 @@
 /* PairPosFormat2 (OpenType spec, "Pair adjustment positioning subtable format 2"). */
 #include <string.h>
 
-#include "kerning/write.h"
+#include "kerning/write_matrix.h"
 
 /* Some rows of the matrix, as one subtable: classes 0, 1, … of left glyphs are rows first, first + 1, … */
 typedef struct mt_matrix_part {
@@ -103,7 +103,7 @@ static mt_status write_part(mt_pair_writer *writer, mt_matrix_part *part, mt_are
     if (status == MT_OK) status = write_records(writer->mixed, part);
     if (status == MT_OK) status = write_glyphs(writer->mixed, part, scratch, tables);
     if (status == MT_OK) status = assemble(part, tables, &table);
-    if (status == MT_OK) status = mt_pair_writer_add(writer, &table);
+    if (status == MT_OK) status = mt_subtables_add(&table, writer->arena, &writer->subtables);
     for (int i = 0; i < 3; i++) mt_table_free(&tables[i]);
     mt_table_free(&table);
     return status;

@@ -74,6 +74,22 @@ mt_status mt_table_keep(mt_table *table, mt_arena *arena, mt_bytes *bytes) {
     return MT_OK;
 }
 
+mt_status mt_subtables_add(mt_table *table, mt_arena *arena, mt_subtables *subtables) {
+    mt_bytes kept;
+    mt_status status = mt_table_keep(table, arena, &kept);
+    if (status != MT_OK) return status;
+    if (subtables->count == subtables->room) {
+        int room = subtables->room ? 2 * subtables->room : 8;
+        mt_bytes *grown = mt_arena_new(arena, (size_t)room, sizeof *grown);
+        if (!grown) return MT_NO_MEMORY;
+        if (subtables->list) memcpy(grown, subtables->list, (size_t)subtables->count * sizeof *grown);
+        subtables->list = grown;
+        subtables->room = room;
+    }
+    subtables->list[subtables->count++] = kept;
+    return MT_OK;
+}
+
 /* ---- lookups ------------------------------------------------------------------------------------------- */
 
 /* Counts only where `members` is NULL. */

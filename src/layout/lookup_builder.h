@@ -19,6 +19,15 @@ void mt_table_classes(mt_table *table, const mt_glyph_class *glyphs, int count);
 /* Moves what was written into the arena and frees the table. MT_NO_MEMORY when the table has failed. */
 mt_status mt_table_keep(mt_table *table, mt_arena *arena, mt_bytes *bytes);
 
+/* A list of subtables that grows in an arena; all zero is empty. */
+typedef struct mt_subtables {
+    int count, room;
+    mt_bytes *list;
+} mt_subtables;
+
+/* Moves what was written into the arena and the list; the table is empty then. MT_NO_MEMORY. */
+mt_status mt_subtables_add(mt_table *table, mt_arena *arena, mt_subtables *subtables);
+
 /* That a lookup belongs to a feature of a language system (an index of the new font's systems). */
 typedef struct mt_member {
     int system;

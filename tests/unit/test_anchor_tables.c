@@ -1,5 +1,8 @@
 /* Anchors without any real font: subtables written and read back, small fonts blended, malformed tables. */
+#include "anchors/anchors.h"
 #include "anchors/write.h"
+#include "anchors/write_cursive.h"
+#include "anchors/write_marks.h"
 #include "gpos/gpos.h"
 #include "sfnt/sfnt.h"
 #include "support/allocation.h"

@@ -1,4 +1,5 @@
 #include "geometry/limits.h"
+#include "morph/fit/contour_pair.h"
 #include "morph/fit/smooth.h"
 #include "support/check.h"
 

@@ -5,6 +5,7 @@
 #include "geometry/limits.h"
 #include "geometry/union.h"
 #include "morph/between/instance.h"
+#include "morph/between/variable_outline.h"
 #include "morph/prepare.h"
 #include "support/check.h"
 #include "support/polygons.h"

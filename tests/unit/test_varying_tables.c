@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "anchors/write.h"
+#include "anchors/write_cursive.h"
+#include "anchors/write_marks.h"
 #include "gpos/singles.h"
 #include "kerning/write.h"
 #include "layout/gdef.h"

@@ -1,95 +1,13 @@
 #include "morph/align/align.h"
-#include "morph/align/columns.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "geometry/limits.h"
 
-/* ---- samples --------------------------------------------------------------------------------------------- */
-
-static mt_ring_sample vertex_sample(const mt_trace *t, int i) {
-    return (mt_ring_sample){t->ring.points[i].x,     t->ring.points[i].y, mt_trace_in(t, i),
-                            mt_trace_out(t, i),      t->corner[i],        mt_trace_breaks(t, i),
-                            mt_trace_extremum(t, i), t->line[i]};
-}
-
-static double angle_between(double from, double to) {
-    return remainder(to - from, 2 * M_PI);
-}
-
-/* The place at share s of the edge from sample a to sample b: on the line or, for a chord, on the quadratic that its two headings
- * make, as long as that bulges by no more than flattening allows. */
-static mt_ring_sample sample_between(const mt_ring_sample *a, const mt_ring_sample *b, bool line,
-                                     double flatness, double s) {
-    double dx = b->x - a->x, dy = b->y - a->y, heading = atan2(dy, dx);
-    mt_ring_sample sample = {a->x + s * dx, a->y + s * dy, heading, heading, false, false, false, line};
-    double turn = angle_between(a->out, b->in), off = angle_between(a->out, heading);
-    if (line || off * turn <= 0 || fabs(off) >= fabs(turn) || fabs(turn) > M_PI / 2) return sample;
-    double reach = hypot(dx, dy) * sin(turn - off) / sin(turn); /* from a to the control point */
-    if (reach * fabs(sin(off)) / 2 > 2 * flatness) return sample;
-    double cx = reach * cos(a->out), cy = reach * sin(a->out);
-    sample.x = a->x + 2 * s * (1 - s) * cx + s * s * dx;
-    sample.y = a->y + 2 * s * (1 - s) * cy + s * s * dy;
-    sample.in = sample.out = atan2((1 - s) * cy + s * (dy - cy), (1 - s) * cx + s * (dx - cx));
-    return sample;
-}
-
-static int parts_of(const mt_trace *t, int i, double step) {
-    return 1 + (int)(t->length[i] / step);
-}
-
-mt_status mt_ring_samples_of(const mt_trace *t, double flatness, double step, mt_arena *arena,
-                             mt_ring_samples *samples) {
-    int64_t total = 0;
-    for (int i = 0; i < t->ring.count; i++) total += parts_of(t, i, step);
-    if (total > MT_POINTS_MAX) return MT_TOO_LARGE;
-    mt_ring_samples made = {0, mt_arena_new(arena, (size_t)total, sizeof(mt_ring_sample))};
-    if (!made.samples) return MT_NO_MEMORY;
-    for (int i = 0; i < t->ring.count; i++) {
-        mt_ring_sample a = vertex_sample(t, i), b = vertex_sample(t, mt_trace_after(t, i));
-        int parts = parts_of(t, i, step);
-        made.samples[made.count++] = a;
-        for (int k = 1; k < parts; k++)
-            made.samples[made.count++] = sample_between(&a, &b, t->line[i], flatness, (double)k / parts);
-    }
-    *samples = made;
-    return MT_OK;
-}
-
-mt_status mt_ring_samples_at_least(const mt_ring *ring, double flatness, double least, mt_arena *arena,
-                                   mt_ring_samples *samples) {
-    mt_trace trace;
-    mt_status status = mt_trace_ring(ring, flatness, arena, &trace);
-    double step = fmax(1, mt_ring_length(ring) / least);
-    return status == MT_OK ? mt_ring_samples_of(&trace, flatness, step, arena, samples) : status;
-}
-
-/* ---- what a step costs --------------------------------------------------------------------------------- */
-
-#define THIN 0.35       /* of the other side: what a side of a box counts as, at least */
 #define PIN_COST 100.0F /* for a sample that a hint sends elsewhere */
 #define PIN_REACH 25.0  /* from a hint to the boundary that it is for, at most, 1/1000 em */
 #define STARTS 4        /* samples of B that are tried for the start */
-
-/* The side of a box that places on it are taken relative to; a thin box counts as thicker, since a stem that is all of one glyph is
- * only the middle of the same glyph with serifs. */
-static double side_of(double side, double across) {
-    return fmax(side, THIN * across);
-}
-
-mt_sample_view mt_sample_view_of(const mt_ring_sample *s, mt_box box) {
-    double width = mt_box_width(box), height = mt_box_height(box);
-    double x = s->x - box.min.x - width / 2, y = s->y - box.min.y - height / 2;
-    return (mt_sample_view){.x = x / side_of(width, height),
-                            .y = y / side_of(height, width),
-                            .in_x = cos(s->in),
-                            .in_y = sin(s->in),
-                            .out_x = cos(s->out),
-                            .out_y = sin(s->out),
-                            .turn_x = cos(s->out - s->in),
-                            .turn_y = sin(s->out - s->in)};
-}
 
 typedef struct mt_views {
     int count;

@@ -2,7 +2,7 @@
 #ifndef MT_MORPH_BETWEEN_SEAM_OVERLAP_H
 #define MT_MORPH_BETWEEN_SEAM_OVERLAP_H
 
-#include "morph/between/variable_outline.h"
+#include "morph/model/morph.h"
 
 /* Where a side was cut, the contours on both sides of the cut meet in a line. Their points along it are rounded one by one, and
  * a hairline would show between them. So each point of a master that lies in the ink of its side, at least twice `reach` grid

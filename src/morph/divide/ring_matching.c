@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "geometry/limits.h"
-#include "morph/align/columns.h"
 
 /* How far a walker looks around: the boundary's samples whose places, each relative to its glyph's box, are farther off than so many
  * boxes in x or in y are out of its reach. Where that leads nowhere it looks twice as far; 1 is all of the box. */

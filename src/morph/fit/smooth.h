@@ -2,7 +2,7 @@
 #ifndef MT_MORPH_FIT_SMOOTH_H
 #define MT_MORPH_FIT_SMOOTH_H
 
-#include "morph/fit/contour_pair.h"
+#include "morph/model/morph.h"
 
 /* Where both masters run smoothly through a node but head differently, the contour between them has a kink there, unless
  * the handles on both sides of the node have the same ratio in both masters: then the mixed handles stay in line for

@@ -2,7 +2,7 @@
 #ifndef MT_MORPH_JOIN_HOLES_H
 #define MT_MORPH_JOIN_HOLES_H
 
-#include "morph/join/join.h"
+#include "morph/join/joining.h"
 
 /* Which holes of the two parts go together, by their indices; 0 where a hole has no counterpart. */
 typedef struct mt_hole_pairs {

@@ -2,22 +2,7 @@
 #ifndef MT_MORPH_JOIN_JOIN_H
 #define MT_MORPH_JOIN_JOIN_H
 
-#include "morph/model/join_context.h"
-#include "morph/model/morph.h"
-
-/* A component, or a part of one, in its glyph's box. */
-typedef struct mt_part {
-    const mt_component *component;
-    mt_box box;
-} mt_part;
-
-/* Two parts on their way to each other, and what it takes. */
-typedef struct mt_joining {
-    mt_part a, b;
-    const mt_join_context *context;
-    mt_arena *arena;
-    double costliest; /* of the alignments so far (align.h) */
-} mt_joining;
+#include "morph/join/joining.h"
 
 /* Joins two parts: their outer rings and those holes that have a counterpart are aligned, and a contour is fitted to each pair.
  * A hole without a counterpart is slit open, or closes to a point inside the other part's ink. Appends to contours[*count]

@@ -1,4 +1,25 @@
-#include "morph/align/columns.h"
+#include "morph/align/cost.h"
+
+#define THIN 0.35 /* of the other side: what a side of a box counts as, at least */
+
+/* The side of a box that places on it are taken relative to; a thin box counts as thicker, since a stem that is all of one glyph is
+ * only the middle of the same glyph with serifs. */
+static double side_of(double side, double across) {
+    return fmax(side, THIN * across);
+}
+
+mt_sample_view mt_sample_view_of(const mt_ring_sample *s, mt_box box) {
+    double width = mt_box_width(box), height = mt_box_height(box);
+    double x = s->x - box.min.x - width / 2, y = s->y - box.min.y - height / 2;
+    return (mt_sample_view){.x = x / side_of(width, height),
+                            .y = y / side_of(height, width),
+                            .in_x = cos(s->in),
+                            .in_y = sin(s->in),
+                            .out_x = cos(s->out),
+                            .out_y = sin(s->out),
+                            .turn_x = cos(s->out - s->in),
+                            .turn_y = sin(s->out - s->in)};
+}
 
 mt_status mt_columns_of(const mt_sample_view *views, int count, mt_arena *arena, mt_columns *columns) {
     size_t m = (size_t)count;

@@ -1,4 +1,4 @@
-#include "kerning/pairs.h"
+#include "kerning/prepare.h"
 
 #include <string.h>
 

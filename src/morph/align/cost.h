@@ -1,0 +1,44 @@
+/* What it costs that two samples go with each other: one by one, and one against many at once. */
+#ifndef MT_MORPH_ALIGN_COST_H
+#define MT_MORPH_ALIGN_COST_H
+
+#include <math.h>
+
+#include "morph/align/samples.h"
+#include "morph/model/settings.h"
+
+/* A sample as the cost of a step sees it: its place relative to the glyph's box, and its headings as unit vectors. */
+typedef struct mt_sample_view {
+    double x, y;
+    double in_x, in_y, out_x, out_y;
+    double turn_x, turn_y; /* the direction out, relative to the direction in */
+} mt_sample_view;
+
+mt_sample_view mt_sample_view_of(const mt_ring_sample *sample, mt_box box);
+
+/* What it costs that two samples go with each other. */
+static inline double mt_step_cost(const mt_cost_weights *t, const mt_sample_view *a,
+                                  const mt_sample_view *b) {
+    double same = a->in_x * b->in_x + a->in_y * b->in_y + a->out_x * b->out_x + a->out_y * b->out_y;
+    double alike = a->turn_x * b->turn_x + a->turn_y * b->turn_y;
+    double dx = a->x - b->x, dy = a->y - b->y;
+    return t->direction * (2 - same) / 4 + t->distance * sqrt(dx * dx + dy * dy) +
+           t->corner * (1 - alike) / 2;
+}
+
+/* What it costs beside that one sample moves on while the other waits. */
+#define MT_WAIT_COST 0.02
+
+/* The views of many samples column by column. */
+typedef struct mt_columns {
+    float *x, *y, *in_x, *in_y, *out_x, *out_y, *turn_x, *turn_y;
+} mt_columns;
+
+/* In the arena. MT_NO_MEMORY. */
+mt_status mt_columns_of(const mt_sample_view *views, int count, mt_arena *arena, mt_columns *columns);
+
+/* mt_step_cost of one sample with each of those from `first` up to `end`, into the same places of `costs`. */
+void mt_step_costs(const mt_cost_weights *weights, const mt_sample_view *view, const mt_columns *columns,
+                   int first, int end, float *costs);
+
+#endif

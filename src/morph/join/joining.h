@@ -1,0 +1,22 @@
+/* Two parts that are joined, and what it takes. */
+#ifndef MT_MORPH_JOIN_JOINING_H
+#define MT_MORPH_JOIN_JOINING_H
+
+#include "morph/model/join_context.h"
+#include "morph/model/morph.h"
+
+/* A component, or a part of one, in its glyph's box. */
+typedef struct mt_part {
+    const mt_component *component;
+    mt_box box;
+} mt_part;
+
+/* Two parts on their way to each other, and what it takes. */
+typedef struct mt_joining {
+    mt_part a, b;
+    const mt_join_context *context;
+    mt_arena *arena;
+    double costliest; /* of the alignments so far (align.h) */
+} mt_joining;
+
+#endif
