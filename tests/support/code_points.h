@@ -9,4 +9,7 @@
  * malformed or a file cannot be read. */
 int mt_test_code_points(int count, char **arguments, uint32_t *code_points, int most);
 
+/* How many of the code points the fonts FILE[#FACE] both have, as FreeType alone reads them; -1 where one cannot be read. */
+int mt_test_count_in_both(const char *a, const char *b, const uint32_t *code_points, int count);
+
 #endif
