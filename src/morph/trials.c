@@ -79,12 +79,12 @@ mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *
     mt_morph best = *morph;
     mt_topology_error least = {.parts = INT_MAX, .ink = INFINITY};
     mt_trials trials = {0, mt_arena_new(arena, (size_t)mt_settings_count(), sizeof(mt_morph))};
-    mt_alignment_cache *known = mt_arena_new(arena, 1, sizeof *known);
+    mt_alignment_cache *cache = mt_arena_new(arena, 1, sizeof *cache);
     int64_t effort = MT_EFFORT;
-    if (!known || !trials.morphs) return MT_NO_MEMORY;
+    if (!cache || !trials.morphs) return MT_NO_MEMORY;
     for (int i = 0; i < mt_settings_count() && least.parts > 0 && effort > 0; i++) {
         mt_join_context context = {hints, params, mt_settings_at(i, params)};
-        context.settings.known = known;
+        context.settings.cache = cache;
         mt_morph *tried = &trials.morphs[trials.count];
         mt_status status = join(morph, &context, arena, tried);
         if (status != MT_OK) return status;

@@ -28,49 +28,49 @@ static mt_cache_key case_of(const mt_ring *p, const mt_ring *q) {
 
 static void the_same_case_is_known(void **state) {
     (void)state;
-    mt_alignment_cache *known = mt_arena_new(&arena, 1, sizeof *known);
+    mt_alignment_cache *cache = mt_arena_new(&arena, 1, sizeof *cache);
     mt_cache_key of = case_of(bar(0, 300), bar(50, 200)), alike = case_of(bar(0, 300), bar(50, 200));
-    assert_null(mt_alignment_cache_find(known, &of));
-    mt_assert_ok(mt_alignment_cache_add(known, &of, 0.25, NULL, &arena));
-    assert_true(mt_alignment_cache_find(known, &alike)->cost == 0.25);
+    assert_null(mt_alignment_cache_find(cache, &of));
+    mt_assert_ok(mt_alignment_cache_add(cache, &of, 0.25, NULL, &arena));
+    assert_true(mt_alignment_cache_find(cache, &alike)->cost == 0.25);
     assert_null(mt_alignment_cache_find(NULL, &of));
     mt_assert_ok(mt_alignment_cache_add(NULL, &of, 0.25, NULL, &arena));
 }
 
 static void any_other_case_is_not(void **state) {
     (void)state;
-    mt_alignment_cache *known = mt_arena_new(&arena, 1, sizeof *known);
+    mt_alignment_cache *cache = mt_arena_new(&arena, 1, sizeof *cache);
     mt_cache_key of = case_of(bar(0, 300), bar(50, 200));
-    mt_assert_ok(mt_alignment_cache_add(known, &of, 0.25, NULL, &arena));
+    mt_assert_ok(mt_alignment_cache_add(cache, &of, 0.25, NULL, &arena));
     mt_cache_key others[] = {
         of, of, of, of, case_of(bar(0, 301), bar(50, 200)), case_of(bar(50, 200), bar(0, 300))};
     others[0].weights.distance = 16;
     others[1].joined = true;
     others[2].box_p.max.x += 1;
     others[3].box_q.min.y -= 1;
-    for (int i = 0; i < 6; i++) assert_null(mt_alignment_cache_find(known, &others[i]));
+    for (int i = 0; i < 6; i++) assert_null(mt_alignment_cache_find(cache, &others[i]));
     others[1].q->marks[2] ^=
         MT_CORNER; /* the ring that is known has changed with it, but not a copy of what it was */
     mt_cache_key before = case_of(bar(0, 300), bar(50, 200));
-    assert_null(mt_alignment_cache_find(known, &before));
+    assert_null(mt_alignment_cache_find(cache, &before));
 }
 
 /* A cost is found once: afterwards the known one is taken, whatever it says. */
 static void a_cached_cost_is_taken(void **state) {
     (void)state;
-    mt_alignment_cache *known = mt_arena_new(&arena, 1, sizeof *known);
-    mt_settings plain = {.flatness = CHORD, .align = {3, 4, 1}}, knowing = plain;
-    knowing.known = known;
+    mt_alignment_cache *cache = mt_arena_new(&arena, 1, sizeof *cache);
+    mt_settings plain = {.flatness = CHORD, .align = {3, 4, 1}}, caching = plain;
+    caching.cache = cache;
     const mt_ring *p = bar(0, 300), *q = bar(50, 200);
     double found = 0, first = 0, again = 0;
     mt_assert_ok(mt_pair_cost(p, mt_ring_box(p), q, mt_ring_box(q), &plain, &arena, &found));
-    mt_assert_ok(mt_pair_cost(p, mt_ring_box(p), q, mt_ring_box(q), &knowing, &arena, &first));
+    mt_assert_ok(mt_pair_cost(p, mt_ring_box(p), q, mt_ring_box(q), &caching, &arena, &first));
     assert_true(found == first);
     mt_cache_key of = case_of(p, q);
-    assert_true(mt_alignment_cache_find(known, &of)->cost == found);
+    assert_true(mt_alignment_cache_find(cache, &of)->cost == found);
     mt_assert_ok(
-        mt_alignment_cache_add(known, &of, 7, NULL, &arena)); /* what was added last is found first */
-    mt_assert_ok(mt_pair_cost(p, mt_ring_box(p), q, mt_ring_box(q), &knowing, &arena, &again));
+        mt_alignment_cache_add(cache, &of, 7, NULL, &arena)); /* what was added last is found first */
+    mt_assert_ok(mt_pair_cost(p, mt_ring_box(p), q, mt_ring_box(q), &caching, &arena, &again));
     assert_true(again == 7);
 }
 

@@ -9,7 +9,7 @@
 enum { UNIT = MT_EM / 1000, CHORD = MT_EM / 2000 };
 
 static mt_arena arena;
-static const mt_settings settings = {.flatness = CHORD, .walk = {1, 4, 0}, .step = 12, .jumps = true};
+static const mt_settings settings = {.flatness = CHORD, .match = {1, 4, 0}, .step = 12, .jumps = true};
 static mt_corpus corpus;
 
 static int set_up(void **state) {
@@ -33,7 +33,7 @@ static mt_boundary boundary_of(const mt_shape *shape) {
 
 static mt_ring_match walk_around(const mt_boundary *from, int ring, const mt_boundary *to) {
     mt_ring_match walk;
-    mt_assert_ok(mt_match_ring(from, ring, to, &settings.walk, NULL, &arena, &walk));
+    mt_assert_ok(mt_match_ring(from, ring, to, &settings.match, NULL, &arena, &walk));
     return walk;
 }
 

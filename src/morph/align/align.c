@@ -1,3 +1,14 @@
+/* Dynamic programming over pairs of samples, once around both rings. A step advances one ring or both:
+ *
+ *     (i-1, j-1)   (i-1, j)      both advance: 2 · cost(i, j)
+ *               ╲     │          only A does:  cost(i, j) + MT_WAIT_COST
+ *     (i, j-1) ────▶ (i, j)      only B does:  cost(i, j) + MT_WAIT_COST
+ *
+ * A step of both counts twice, so that every alignment has the weight n + m, however many steps it has (H. Sakoe and S. Chiba,
+ * "Dynamic programming algorithm optimization for spoken word recognition", 1978, the symmetric form). The rings are closed: the path
+ * leads from (start_a, start_b) around to the same pair. start_a is the sample with the cheapest pair of all; each of its STARTS
+ * cheapest partners is tried as start_b. Invariants: every sample of both rings is in a step; the steps run in the order of both
+ * rings; the rings are put in an order of their own first, so that swapping them swaps the result. O(STARTS · n · m). */
 #include "morph/align/align.h"
 
 #include <math.h>
@@ -5,9 +16,14 @@
 
 #include "geometry/limits.h"
 
-#define PIN_COST 100.0F /* for a sample that a hint sends elsewhere */
-#define PIN_REACH 25.0  /* from a hint to the boundary that it is for, at most, 1/1000 em */
-#define STARTS 4        /* samples of B that are tried for the start */
+/* Added to the cost of every other pair of a pinned sample: more than any alignment costs. */
+#define PIN_COST 100.0F
+
+/* From a hint's place to the boundary, at most, 1/1000 em: a person points to within a stroke's width. */
+#define PIN_REACH 25.0
+
+/* Samples of B tried as the start; with all of them no glyph's topology came out otherwise. */
+#define STARTS 4
 
 typedef struct mt_views {
     int count;
@@ -23,17 +39,17 @@ static mt_status views_of(const mt_ring_samples *samples, mt_box box, mt_arena *
 
 /* ---- dynamic programming ------------------------------------------------------------------------------- */
 
-enum { BOTH, A_MOVES, B_MOVES };
+enum { BOTH, A_ADVANCES, B_ADVANCES };
 
 typedef struct mt_grid {
     int n, m; /* samples of A, of B */
     int start_a, start_b;
-    float *costs;   /* n × m, of each sample of A with each of B */
-    float *turned;  /* a row of them from start_b on, and its first again, m + 1 */
-    float *row;     /* of costs, m + 1 of them */
-    float *last;    /* the row before */
-    float *down;    /* of a row, the costs of coming from the one before */
-    uint8_t *moves; /* (n + 1) × (m + 1): how each cell is best reached */
+    float *costs;   /* n × m: of each pair of samples */
+    float *rotated; /* a row of `costs` from start_b on, and its first again: m + 1 */
+    float *row;     /* m + 1 least costs of reaching row i's cells … */
+    float *last;    /* … and those of the row before */
+    float *down;    /* least costs by a last step from the row before */
+    uint8_t *moves; /* (n + 1) × (m + 1): the last step to each cell */
 } mt_grid;
 
 static mt_status fill_costs(mt_grid *g, const mt_cost_weights *weights, const mt_views *a, const mt_views *b,
@@ -51,32 +67,32 @@ static float cost_at(const mt_grid *g, int i, int j) {
 
 #define WAIT_COST ((float)MT_WAIT_COST)
 
-/* The costs of row i in the order of the walk. */
-static const float *turn_row(mt_grid *g, int i) {
+/* The costs of row i, from start_b on. */
+static const float *rotate_row(mt_grid *g, int i) {
     const float *costs = g->costs + (size_t)((g->start_a + i) % g->n) * (size_t)g->m;
     size_t behind = (size_t)(g->m - g->start_b);
-    memcpy(g->turned, costs + g->start_b, behind * sizeof *costs);
-    memcpy(g->turned + behind, costs, (size_t)g->start_b * sizeof *costs);
-    g->turned[g->m] = costs[g->start_b];
-    return g->turned;
+    memcpy(g->rotated, costs + g->start_b, behind * sizeof *costs);
+    memcpy(g->rotated + behind, costs, (size_t)g->start_b * sizeof *costs);
+    g->rotated[g->m] = costs[g->start_b];
+    return g->rotated;
 }
 
-/* From the row before: A's sample moves on, alone or with B's. */
-static void come_down(const mt_grid *g, const float *restrict costs, uint8_t *restrict moves) {
+/* Steps from the row before: A advances, alone or with B. */
+static void advance_a(const mt_grid *g, const float *restrict costs, uint8_t *restrict moves) {
     const float *restrict last = g->last;
     float *restrict down = g->down;
     down[0] = last[0] + WAIT_COST + costs[0];
-    moves[0] = A_MOVES;
+    moves[0] = A_ADVANCES;
     for (int j = 1; j <= g->m; j++) {
         float above = last[j] + WAIT_COST + costs[j], both = last[j - 1] + 2 * costs[j];
         down[j] = above < both ? above : both;
-        moves[j] = above < both ? A_MOVES : BOTH;
+        moves[j] = above < both ? A_ADVANCES : BOTH;
     }
 }
 
-/* Along the row: B's sample moves on alone, where that is cheaper. Returns the least cost in the row. Each cost waits for the one before
- * it, so that nothing else is done in that loop. */
-static float go_along(const mt_grid *g, const float *restrict costs, uint8_t *restrict moves) {
+/* Steps within the row: B advances alone, where that is cheaper. Returns the least cost in the row. The first loop does nothing else,
+ * since each of its rounds depends on the one before. */
+static float advance_b(const mt_grid *g, const float *restrict costs, uint8_t *restrict moves) {
     const float *restrict down = g->down;
     float *restrict row = g->row, best = INFINITY, least = INFINITY;
     for (int j = 0; j <= g->m; j++) {
@@ -84,36 +100,34 @@ static float go_along(const mt_grid *g, const float *restrict costs, uint8_t *re
         best = left < down[j] ? left : down[j];
         row[j] = best;
     }
-    for (int j = 0; j <= g->m; j++) moves[j] = row[j] < down[j] ? B_MOVES : moves[j];
+    for (int j = 0; j <= g->m; j++) moves[j] = row[j] < down[j] ? B_ADVANCES : moves[j];
     for (int j = 0; j <= g->m; j++) least = row[j] < least ? row[j] : least;
     return least;
 }
 
-/* The least cost of a way from (start_a, start_b) once around both rings; INFINITY once it is sure to come to `most` or more. A
- * step by which both samples move on counts twice, so that all ways weigh the same, however many steps they have (H. Sakoe and S.
- * Chiba, "Dynamic programming algorithm optimization for spoken word recognition", 1978, the symmetric form). */
+/* The least cost of a path from (start_a, start_b) once around both rings; INFINITY as soon as it is at least `most`. */
 static float fill(mt_grid *g, float most) {
     for (int i = 0; i <= g->n; i++) {
-        const float *costs = turn_row(g, i);
+        const float *costs = rotate_row(g, i);
         uint8_t *moves = g->moves + (size_t)i * (size_t)(g->m + 1);
         float *swap = g->last;
         g->last = g->row;
         g->row = swap;
-        if (i > 0) come_down(g, costs, moves);
+        if (i > 0) advance_a(g, costs, moves);
         for (int j = 0; i == 0 && j <= g->m; j++) g->down[j] = j ? INFINITY : costs[0];
-        if (go_along(g, costs, moves) >= most) return INFINITY; /* every way comes through this row */
+        if (advance_b(g, costs, moves) >= most) return INFINITY; /* every path crosses this row */
     }
     return g->row[g->m];
 }
 
-/* Reads the way back from the filled grid: the steps after the start, the last of which is the start again. */
+/* The path of the filled grid: the steps after the start, the last of which is the start again. */
 static void read_back(const mt_grid *g, mt_alignment *alignment) {
     int i = g->n, j = g->m, count = 0;
     while (i > 0 || j > 0) {
         alignment->steps[count++] = (mt_link){(g->start_a + i) % g->n, (g->start_b + j) % g->m};
         uint8_t move = g->moves[(size_t)i * (size_t)(g->m + 1) + (size_t)j];
-        i -= move != B_MOVES;
-        j -= move != A_MOVES;
+        i -= move != B_ADVANCES;
+        j -= move != A_ADVANCES;
     }
     for (int k = 0; k < count / 2; k++) {
         mt_link swap = alignment->steps[k];
@@ -123,22 +137,22 @@ static void read_back(const mt_grid *g, mt_alignment *alignment) {
     alignment->count = count;
 }
 
-/* ---- where to start ------------------------------------------------------------------------------------ */
+/* ---- the start ----------------------------------------------------------------------------------------- */
 
-static int surest_sample(const mt_grid *g) {
+static int cheapest_sample(const mt_grid *g) {
     float least = INFINITY;
-    int surest = 0;
+    int cheapest = 0;
     for (int i = 0; i < g->n; i++)
         for (int j = 0; j < g->m; j++)
             if (cost_at(g, i, j) < least) {
                 least = cost_at(g, i, j);
-                surest = i;
+                cheapest = i;
             }
-    return surest;
+    return cheapest;
 }
 
-/* The STARTS best partners of a sample of A, best first; -1 where B has no more samples. */
-static void best_partners(const mt_grid *g, int i, int partners[STARTS]) {
+/* The STARTS cheapest partners of a sample of A, cheapest first; -1 where B has no more samples. */
+static void cheapest_partners(const mt_grid *g, int i, int partners[STARTS]) {
     for (int k = 0; k < STARTS; k++) partners[k] = -1;
     for (int j = 0; j < g->m; j++) {
         int k = STARTS;
@@ -166,17 +180,17 @@ static mt_status start_grid(const mt_views *a, const mt_views *b, const mt_cost_
     *grid = (mt_grid){.n = a->count,
                       .m = b->count,
                       .costs = mt_arena_new(arena, cells, sizeof(float)),
-                      .turned = mt_arena_new(arena, (size_t)b->count + 1, sizeof(float)),
+                      .rotated = mt_arena_new(arena, (size_t)b->count + 1, sizeof(float)),
                       .row = mt_arena_new(arena, (size_t)b->count + 1, sizeof(float)),
                       .last = mt_arena_new(arena, (size_t)b->count + 1, sizeof(float)),
                       .down = mt_arena_new(arena, (size_t)b->count + 1, sizeof(float)),
                       .moves = mt_arena_new(arena, cells, 1)};
-    if (!grid->costs || !grid->turned || !grid->row || !grid->last || !grid->down || !grid->moves)
+    if (!grid->costs || !grid->rotated || !grid->row || !grid->last || !grid->down || !grid->moves)
         return MT_NO_MEMORY;
     mt_status status = fill_costs(grid, weights, a, b, arena);
     if (status != MT_OK) return status;
     pin(grid, pins);
-    grid->start_a = surest_sample(grid);
+    grid->start_a = cheapest_sample(grid);
     return MT_OK;
 }
 
@@ -193,7 +207,7 @@ static mt_status align(const mt_ring_samples *samples_a, mt_box box_a, const mt_
     if (!made.steps) return MT_NO_MEMORY;
     int partners[STARTS];
     float least = INFINITY;
-    best_partners(&grid, grid.start_a, partners);
+    cheapest_partners(&grid, grid.start_a, partners);
     for (int k = 0; k < STARTS && partners[k] >= 0; k++) {
         grid.start_b = partners[k];
         float cost = fill(&grid, least);
@@ -206,9 +220,9 @@ static mt_status align(const mt_ring_samples *samples_a, mt_box box_a, const mt_
     return MT_OK;
 }
 
-/* ---- either way round ---------------------------------------------------------------------------------- */
+/* ---- order of the rings -------------------------------------------------------------------------------- */
 
-/* An order of rings that does not ask which of them is A's: < 0, 0, > 0. */
+/* Orders two rings by their contents alone: < 0, 0, > 0. */
 static double compare(const mt_ring_samples *p, const mt_ring_samples *q) {
     if (p->count != q->count) return p->count - q->count;
     for (int i = 0; i < p->count; i++) {

@@ -1,18 +1,22 @@
-/* Each row of the fewer is added in turn: along the cheapest path of columns that are taken, each of which its row gives up for the
- * next one, to a column that is free. Potentials of rows and columns keep all reduced costs at 0 or more, and those of the
- * assignment at 0, so that the path is found as by Dijkstra. */
+/* The assignment of least cost, by shortest augmenting paths (H. W. Kuhn, "The Hungarian method for the assignment problem", 1955;
+ * J. Munkres, 1957). Rows are those of the fewer; each is added in turn, along the cheapest path to a free column:
+ *
+ *     row 3 ──→ column 1 (taken by row 0) ──→ column 2 (free)     row 3 gets column 1, row 0 moves to column 2
+ *
+ * Potentials of rows and columns keep all reduced costs at 0 or more, and those of assigned pairs at 0, so that Dijkstra's search
+ * finds the path. Ties go to the lower column. O(n² m) for n rows and m columns. */
 #include "morph/align/assign.h"
 
 #include <math.h>
 
 typedef struct mt_assignment {
     const double *costs;
-    int row_step, column_step; /* in `costs`: the fewer are the rows, whichever they were */
+    int row_step, column_step; /* strides in `costs`, swapped where the caller has more rows than columns */
     int rows, columns;
     double *row_cost, *column_cost; /* potentials */
     int *row_of;                    /* each column's row; -1: free */
-    double *reach;                  /* how far each column is from the row at hand … */
-    int *from;                      /* … and the column before it on the way; -1: none */
+    double *distance_to;            /* cost of the cheapest path from the added row to each column … */
+    int *previous;                  /* … and the column before it on that path; -1: none */
     bool *done;
 } mt_assignment;
 
@@ -20,47 +24,47 @@ static double reduced(const mt_assignment *a, int row, int column) {
     return a->costs[row * a->row_step + column * a->column_step] - a->row_cost[row] - a->column_cost[column];
 }
 
-/* Goes on from a row that is reached at `distance` over column `last`. */
-static void look_on(mt_assignment *a, int row, double distance, int last) {
+/* Relaxes the paths over a row that column `last` reaches at `distance`. */
+static void relax_row(mt_assignment *a, int row, double distance, int last) {
     for (int c = 0; c < a->columns; c++) {
         double by = distance + reduced(a, row, c);
-        if (a->done[c] || by >= a->reach[c]) continue;
-        a->reach[c] = by;
-        a->from[c] = last;
+        if (a->done[c] || by >= a->distance_to[c]) continue;
+        a->distance_to[c] = by;
+        a->previous[c] = last;
     }
 }
 
-static int nearest_open(const mt_assignment *a) {
+static int nearest_column(const mt_assignment *a) {
     int best = -1;
     for (int c = 0; c < a->columns; c++)
-        if (!a->done[c] && (best < 0 || a->reach[c] < a->reach[best])) best = c;
+        if (!a->done[c] && (best < 0 || a->distance_to[c] < a->distance_to[best])) best = c;
     return best;
 }
 
-/* After a search that ended `distance` away: what is nearer than that comes to lie at 0. */
-static void settle_costs(mt_assignment *a, int row, double distance) {
+/* Raises the potentials after a search of length `distance`, so that reduced costs along its paths are 0. */
+static void update_potentials(mt_assignment *a, int row, double distance) {
     a->row_cost[row] += distance;
     for (int c = 0; c < a->columns; c++) {
         if (!a->done[c]) continue;
-        a->row_cost[a->row_of[c]] += distance - a->reach[c];
-        a->column_cost[c] -= distance - a->reach[c];
+        a->row_cost[a->row_of[c]] += distance - a->distance_to[c];
+        a->column_cost[c] -= distance - a->distance_to[c];
     }
 }
 
 static void add_row(mt_assignment *a, int row) {
     for (int c = 0; c < a->columns; c++) {
-        a->reach[c] = INFINITY;
+        a->distance_to[c] = INFINITY;
         a->done[c] = false;
     }
-    look_on(a, row, 0, -1);
-    int c = nearest_open(a);
+    relax_row(a, row, 0, -1);
+    int c = nearest_column(a);
     while (a->row_of[c] >= 0) {
         a->done[c] = true;
-        look_on(a, a->row_of[c], a->reach[c], c);
-        c = nearest_open(a);
+        relax_row(a, a->row_of[c], a->distance_to[c], c);
+        c = nearest_column(a);
     }
-    settle_costs(a, row, a->reach[c]);
-    for (; a->from[c] >= 0; c = a->from[c]) a->row_of[c] = a->row_of[a->from[c]];
+    update_potentials(a, row, a->distance_to[c]);
+    for (; a->previous[c] >= 0; c = a->previous[c]) a->row_of[c] = a->row_of[a->previous[c]];
     a->row_of[c] = row;
 }
 
@@ -68,11 +72,11 @@ static mt_status start(mt_assignment *a, mt_arena *arena) {
     size_t rows = (size_t)a->rows, columns = (size_t)a->columns;
     a->row_cost = mt_arena_new(arena, rows, sizeof *a->row_cost);
     a->column_cost = mt_arena_new(arena, columns, sizeof *a->column_cost);
-    a->reach = mt_arena_new(arena, columns, sizeof *a->reach);
+    a->distance_to = mt_arena_new(arena, columns, sizeof *a->distance_to);
     a->row_of = mt_arena_new(arena, columns, sizeof *a->row_of);
-    a->from = mt_arena_new(arena, columns, sizeof *a->from);
+    a->previous = mt_arena_new(arena, columns, sizeof *a->previous);
     a->done = mt_arena_new(arena, columns, sizeof *a->done);
-    if (!a->row_cost || !a->column_cost || !a->reach || !a->row_of || !a->from || !a->done)
+    if (!a->row_cost || !a->column_cost || !a->distance_to || !a->row_of || !a->previous || !a->done)
         return MT_NO_MEMORY;
     for (int c = 0; c < a->columns; c++) a->row_of[c] = -1;
     return MT_OK;

@@ -1,3 +1,6 @@
+/* A hash table with chains, keyed by the contents of two rings (FNV-1a of G. Fowler, L. C. Noll and K.-P. Vo), so that a ring which
+ * a later division cuts anew is found although it lies elsewhere in memory. Looking up takes O(n) for n points of both rings; the
+ * alignment that it saves takes O(n²). An entry never changes: equal keys give equal results, so results do not depend on the cache. */
 #include "morph/align/cache.h"
 
 #include <string.h>
@@ -14,8 +17,8 @@ static uint64_t add_ring(uint64_t hash, const mt_ring *ring) {
     return hash;
 }
 
-static uint64_t hash_of(const mt_cache_key *of) {
-    return add_ring(add_ring(UINT64_C(0xcbf29ce484222325), of->p), of->q);
+static uint64_t hash_of(const mt_cache_key *key) {
+    return add_ring(add_ring(UINT64_C(0xcbf29ce484222325), key->p), key->q);
 }
 
 static bool same_ring(const mt_ring *p, const mt_ring *q) {
@@ -29,30 +32,30 @@ static bool same_box(mt_box a, mt_box b) {
     return mt_point_equal(a.min, b.min) && mt_point_equal(a.max, b.max);
 }
 
-static bool same_case(const mt_cache_key *a, const mt_cache_key *b) {
+static bool same_key(const mt_cache_key *a, const mt_cache_key *b) {
     return a->joined == b->joined && a->weights.direction == b->weights.direction &&
            a->weights.distance == b->weights.distance && a->weights.corner == b->weights.corner &&
            same_box(a->box_p, b->box_p) && same_box(a->box_q, b->box_q) && same_ring(a->p, b->p) &&
            same_ring(a->q, b->q);
 }
 
-const mt_cache_entry *mt_alignment_cache_find(const mt_alignment_cache *known, const mt_cache_key *of) {
-    if (!known) return NULL;
-    uint64_t hash = hash_of(of);
-    for (const mt_cache_entry *k = known->buckets[hash % MT_CACHE_BUCKETS]; k; k = k->next)
-        if (k->hash == hash && same_case(&k->of, of)) return k;
+const mt_cache_entry *mt_alignment_cache_find(const mt_alignment_cache *cache, const mt_cache_key *key) {
+    if (!cache) return NULL;
+    uint64_t hash = hash_of(key);
+    for (const mt_cache_entry *k = cache->buckets[hash % MT_CACHE_BUCKETS]; k; k = k->next)
+        if (k->hash == hash && same_key(&k->key, key)) return k;
     return NULL;
 }
 
-mt_status mt_alignment_cache_add(mt_alignment_cache *known, const mt_cache_key *of, double cost,
-                                 const mt_contour_pair *masters, mt_arena *arena) {
-    if (!known) return MT_OK;
+mt_status mt_alignment_cache_add(mt_alignment_cache *cache, const mt_cache_key *key, double cost,
+                                 const mt_contour_pair *pair, mt_arena *arena) {
+    if (!cache) return MT_OK;
     mt_cache_entry *made = mt_arena_new(arena, 1, sizeof *made);
     if (!made) return MT_NO_MEMORY;
-    uint64_t hash = hash_of(of);
-    *made = (mt_cache_entry){.of = *of, .hash = hash, .cost = cost};
-    if (masters) made->masters = *masters;
-    made->next = known->buckets[hash % MT_CACHE_BUCKETS];
-    known->buckets[hash % MT_CACHE_BUCKETS] = made;
+    uint64_t hash = hash_of(key);
+    *made = (mt_cache_entry){.key = *key, .hash = hash, .cost = cost};
+    if (pair) made->pair = *pair;
+    made->next = cache->buckets[hash % MT_CACHE_BUCKETS];
+    cache->buckets[hash % MT_CACHE_BUCKETS] = made;
     return MT_OK;
 }

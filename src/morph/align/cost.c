@@ -1,11 +1,19 @@
+/* The cost of pairing a sample of A with a sample of B, from the samples' views:
+ *
+ *     cost = direction · (2 − in·in' − out·out') / 4       unit vectors: 0 where both head alike, 1 where opposite
+ *          + distance · |place − place'|                   places relative to their own glyph's box
+ *          + corner · (1 − turn·turn') / 2                 how differently they turn
+ *
+ * It is symmetric in A and B, and at least 0. Against m samples at once it takes O(m), in float, over columns, so that the compiler
+ * makes vector instructions of it. */
 #include "morph/align/cost.h"
 
-#define THIN 0.35 /* of the other side: what a side of a box counts as, at least */
+#define SIDE_LEAST 0.35 /* of the box's other side: a shorter side counts as this long */
 
-/* The side of a box that places on it are taken relative to; a thin box counts as thicker, since a stem that is all of one glyph is
- * only the middle of the same glyph with serifs. */
+/* The side of a box to which places are relative. A thin box counts as thicker: a stem that is the whole glyph in one font is only
+ * its middle in a font with serifs. */
 static double side_of(double side, double across) {
-    return fmax(side, THIN * across);
+    return fmax(side, SIDE_LEAST * across);
 }
 
 mt_sample_view mt_sample_view_of(const mt_ring_sample *s, mt_box box) {

@@ -1,4 +1,4 @@
-/* What it costs that two samples go with each other: one by one, and one against many at once. */
+/* The cost of pairing two samples: one with one, and one with many at once. */
 #ifndef MT_MORPH_ALIGN_COST_H
 #define MT_MORPH_ALIGN_COST_H
 
@@ -16,20 +16,20 @@ typedef struct mt_sample_view {
 
 mt_sample_view mt_sample_view_of(const mt_ring_sample *sample, mt_box box);
 
-/* What it costs that two samples go with each other. */
-static inline double mt_step_cost(const mt_cost_weights *t, const mt_sample_view *a,
+/* The cost of pairing two samples. */
+static inline double mt_step_cost(const mt_cost_weights *w, const mt_sample_view *a,
                                   const mt_sample_view *b) {
     double same = a->in_x * b->in_x + a->in_y * b->in_y + a->out_x * b->out_x + a->out_y * b->out_y;
     double alike = a->turn_x * b->turn_x + a->turn_y * b->turn_y;
     double dx = a->x - b->x, dy = a->y - b->y;
-    return t->direction * (2 - same) / 4 + t->distance * sqrt(dx * dx + dy * dy) +
-           t->corner * (1 - alike) / 2;
+    return w->direction * (2 - same) / 4 + w->distance * sqrt(dx * dx + dy * dy) +
+           w->corner * (1 - alike) / 2;
 }
 
-/* What it costs beside that one sample moves on while the other waits. */
+/* Added to the cost of a step by which one ring advances while the other waits. */
 #define MT_WAIT_COST 0.02
 
-/* The views of many samples column by column. */
+/* The views of many samples, one array for each member. */
 typedef struct mt_columns {
     float *x, *y, *in_x, *in_y, *out_x, *out_y, *turn_x, *turn_y;
 } mt_columns;

@@ -1,3 +1,6 @@
+/* Pairs of rings by assignment (assign.h): the costs of a matrix are the mean step costs of alignments over SAMPLES coarse samples a
+ * ring, found once for each pair and kept in the cache. Rings whose middles lie further apart than APART_MOST boxes are not aligned at
+ * all. Leaving two rings unpaired costs `most`, so that no pair costs more. O(k l m² + k² l) for k and l rings of m samples. */
 #include "morph/align/pairing.h"
 
 #include <math.h>
@@ -5,11 +8,11 @@
 #include "morph/align/assign.h"
 #include "morph/align/cache.h"
 
-#define STOPS 60.0      /* places along a ring that are compared, at least */
-#define APART_MOST 0.35 /* how far the middles of two rings may be apart, in boxes */
-#define FORBIDDEN 100.0 /* more than any alignment costs */
+#define SAMPLES 60.0    /* of a ring, at least: enough to tell rings apart, not to draw them */
+#define APART_MOST 0.35 /* between the middles of two rings, at most, in boxes */
+#define FORBIDDEN 100.0 /* cost of a pair that may not be: more than any alignment costs */
 
-/* How far the middles of two rings are apart, each relative to its glyph's box. */
+/* The distance between the middles of two rings, each relative to its glyph's box. */
 static double apart(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q) {
     mt_box a = mt_ring_box(p), b = mt_ring_box(q);
     double x = (a.min.x + (double)a.max.x - 2.0 * box_p.min.x) / mt_box_width(box_p) -
@@ -19,14 +22,14 @@ static double apart(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box
     return hypot(x, y) / 2;
 }
 
-static mt_status find_cost(const mt_cache_key *of, double flatness, mt_arena *arena, double *cost) {
+static mt_status find_cost(const mt_cache_key *key, double flatness, mt_arena *arena, double *cost) {
     mt_arena_place before = mt_arena_mark(arena);
     mt_ring_samples a, b;
     mt_alignment alignment;
-    mt_status status = mt_ring_samples_at_least(of->p, flatness, STOPS, arena, &a);
-    if (status == MT_OK) status = mt_ring_samples_at_least(of->q, flatness, STOPS, arena, &b);
+    mt_status status = mt_ring_samples_at_least(key->p, flatness, SAMPLES, arena, &a);
+    if (status == MT_OK) status = mt_ring_samples_at_least(key->q, flatness, SAMPLES, arena, &b);
     if (status == MT_OK)
-        status = mt_align(&a, of->box_p, &b, of->box_q, &of->weights, &(mt_links){0}, arena, &alignment);
+        status = mt_align(&a, key->box_p, &b, key->box_q, &key->weights, &(mt_links){0}, arena, &alignment);
     if (status == MT_OK) *cost = alignment.cost;
     mt_arena_rewind(arena, before);
     return status;
@@ -34,19 +37,19 @@ static mt_status find_cost(const mt_cache_key *of, double flatness, mt_arena *ar
 
 mt_status mt_pair_cost(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q,
                        const mt_settings *settings, mt_arena *arena, double *cost) {
-    mt_cache_key of = {p, q, box_p, box_q, settings->align, false};
-    const mt_cache_entry *known = mt_alignment_cache_find(settings->known, &of);
-    if (known) {
-        *cost = known->cost;
+    mt_cache_key key = {p, q, box_p, box_q, settings->align, false};
+    const mt_cache_entry *found = mt_alignment_cache_find(settings->cache, &key);
+    if (found) {
+        *cost = found->cost;
         return MT_OK;
     }
-    mt_status status = find_cost(&of, settings->flatness, arena, cost);
-    return status == MT_OK ? mt_alignment_cache_add(settings->known, &of, *cost, NULL, arena) : status;
+    mt_status status = find_cost(&key, settings->flatness, arena, cost);
+    return status == MT_OK ? mt_alignment_cache_add(settings->cache, &key, *cost, NULL, arena) : status;
 }
 
 typedef struct mt_pairing_costs {
     int rows, columns;
-    double *costs; /* rows × columns; INFINITY for what may not be paired */
+    double *costs; /* rows × columns; INFINITY for a pair that may not be */
 } mt_pairing_costs;
 
 static mt_status cost_all(const mt_ring_list *a, const mt_ring_list *b, double most,
@@ -66,8 +69,8 @@ static mt_status cost_all(const mt_ring_list *a, const mt_ring_list *b, double m
     return status;
 }
 
-/* What it counts that two rings go together: its cost, and at most as much as if they did not. */
-static double cost_of(double cost, double most) {
+/* The cost of a pair in the assignment: no more than that of leaving both unpaired. */
+static double capped_cost(double cost, double most) {
     return fmin(cost, fmin(most, FORBIDDEN));
 }
 
@@ -81,7 +84,7 @@ static mt_status assign_rest(const mt_pairing_costs *p, double most, mt_arena *a
         for (int j = 0; j < p->columns; j++) {
             size_t cell = (size_t)i * (size_t)p->columns + (size_t)j;
             bool open = partner_a[i] < 0 && partner_b[j] < 0;
-            costs[cell] = cost_of(open ? p->costs[cell] : INFINITY, most);
+            costs[cell] = capped_cost(open ? p->costs[cell] : INFINITY, most);
         }
     mt_status status = mt_assign(costs, p->rows, p->columns, arena, column_of);
     for (int i = 0; status == MT_OK && i < p->rows; i++) {

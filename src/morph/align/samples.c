@@ -1,3 +1,10 @@
+/* Samples of a ring: its vertices, and places between them on the curve that each chord stands for.
+ *
+ *         b.in ↗ ●      the chord a b with the headings a.out and b.in: where they turn by less than a right angle
+ *       ╭──────╯  b     and the same way, and the quadratic with these tangents keeps within twice the flatness,
+ *     a ●               a sample lies on that quadratic and heads along it; otherwise on the straight edge
+ *
+ * Invariant: samples stand in the ring's order, and each vertex is one. O(n + length / step). */
 #include "morph/align/samples.h"
 
 #include <math.h>
@@ -14,8 +21,7 @@ static double angle_between(double from, double to) {
     return remainder(to - from, 2 * M_PI);
 }
 
-/* The place at share s of the edge from sample a to sample b: on the line or, for a chord, on the quadratic that its two headings
- * make, as long as that bulges by no more than flattening allows. */
+/* The sample at fraction s of the edge from a to b. */
 static mt_ring_sample sample_between(const mt_ring_sample *a, const mt_ring_sample *b, bool line,
                                      double flatness, double s) {
     double dx = b->x - a->x, dy = b->y - a->y, heading = atan2(dy, dx);

@@ -10,8 +10,8 @@ typedef struct mt_ring_sample {
     double in, out; /* headings, radians: the same where the drawing is smooth */
     bool corner;    /* the drawing has a corner here */
     bool breaks;    /* a corner, or where a line begins or ends */
-    bool extremum;  /* turns back in x or in y, smoothly */
-    bool line;      /* goes on from here along a line */
+    bool extremum;  /* smooth, and turns back in x or in y */
+    bool line;      /* a line leaves from here */
 } mt_ring_sample;
 
 typedef struct mt_ring_samples {
@@ -19,8 +19,8 @@ typedef struct mt_ring_samples {
     mt_ring_sample *samples;
 } mt_ring_samples;
 
-/* The samples of a ring whose curves were flattened within `flatness` grid units: its vertices, and places between them where they
- * are further apart than `step`. MT_NO_MEMORY, MT_TOO_LARGE. */
+/* The samples of a ring whose curves were flattened within `flatness` grid units: its vertices, and evenly spaced places between two
+ * that are further apart than `step` grid units. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_ring_samples_of(const mt_trace *trace, double flatness, double step, mt_arena *arena,
                              mt_ring_samples *samples);
 

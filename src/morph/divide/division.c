@@ -358,7 +358,7 @@ mt_status mt_divide(const mt_side *a, const mt_side *b, const mt_hints *hints, c
     mt_status status = start_bank(a, settings, arena, &banks[0]);
     if (status == MT_OK) status = start_bank(b, settings, arena, &banks[1]);
     if (status == MT_OK) status = keep_common_holes(a, b, banks, settings, arena);
-    if (status == MT_OK) status = find_cuts(banks, &settings->walk, arena);
+    if (status == MT_OK) status = find_cuts(banks, &settings->match, arena);
     bool changed = true;
     while (status == MT_OK && changed) {
         for (int s = 0; status == MT_OK && s < 2; s++) status = cut_all(&banks[s], arena);

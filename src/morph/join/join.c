@@ -42,16 +42,16 @@ static mt_status fit_rings(const mt_joining *j, const mt_ring *p, const mt_ring 
 
 /* The same, where it has not been done before. Hints pin rings otherwise in each case. */
 static mt_status join_rings(mt_joining *j, const mt_ring *p, const mt_ring *q, mt_contour_pair *masters) {
-    mt_alignment_cache *known = j->context->hints->count ? NULL : j->context->settings.known;
+    mt_alignment_cache *cache = j->context->hints->count ? NULL : j->context->settings.cache;
     mt_cache_key of = {p, q, j->a.box, j->b.box, j->context->settings.align, true};
-    const mt_cache_entry *before = mt_alignment_cache_find(known, &of);
+    const mt_cache_entry *before = mt_alignment_cache_find(cache, &of);
     double cost = before ? before->cost : 0;
     mt_status status = MT_OK;
     if (before)
-        *masters = before->masters;
+        *masters = before->pair;
     else
         status = fit_rings(j, p, q, masters, &cost);
-    if (status == MT_OK && !before) status = mt_alignment_cache_add(known, &of, cost, masters, j->arena);
+    if (status == MT_OK && !before) status = mt_alignment_cache_add(cache, &of, cost, masters, j->arena);
     j->costliest = fmax(j->costliest, cost);
     return status;
 }

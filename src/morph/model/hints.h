@@ -1,12 +1,12 @@
-/* What a person has decided for one character: which component goes with which, and which place on the boundary with which. */
+/* A person's decisions for one character: which components go together, and which places on the two boundaries. */
 #ifndef MT_MORPH_MODEL_HINTS_H
 #define MT_MORPH_MODEL_HINTS_H
 
 #include "geometry/point.h"
 
 typedef enum mt_hint_kind {
-    MT_HINT_COMPONENT, /* the component of A that a place is in, or nearest to, goes with that of B */
-    MT_HINT_POINT,     /* the place on A's boundary that is nearest goes with the one on B's */
+    MT_HINT_COMPONENT, /* the components of A and of B that hold the two places, or lie nearest, go together */
+    MT_HINT_POINT,     /* the places on both boundaries that lie nearest go together */
 } mt_hint_kind;
 
 typedef struct mt_hint {
@@ -14,7 +14,7 @@ typedef struct mt_hint {
     mt_point a, b; /* grid units, in the two glyphs as they were drawn */
 } mt_hint;
 
-/* Those of one character; none is { 0, NULL }. */
+/* All hints of one character; { 0, NULL } without any. */
 typedef struct mt_hints {
     int count;
     const mt_hint *hints;

@@ -1,4 +1,4 @@
-/* What two glyphs are joined by. */
+/* The hints, parameters and settings by which two glyphs are joined. */
 #ifndef MT_MORPH_MODEL_JOIN_CONTEXT_H
 #define MT_MORPH_MODEL_JOIN_CONTEXT_H
 

@@ -1,5 +1,5 @@
-/* What all of the morph knows: two sides in convex pieces, what goes with what, and the contours that move (sections 2.1 to 2.3
- * of the paper, in its order). Knows geometry only: no fonts, no files. */
+/* The structs that all of the morph shares, in the order of the paper's sections 2.1 to 2.3: two sides in convex pieces, the links
+ * between them, and contours that vary from A's to B's. They know geometry only: no fonts, no files. */
 #ifndef MT_MORPH_MODEL_MORPH_H
 #define MT_MORPH_MODEL_MORPH_H
 
@@ -21,31 +21,30 @@ typedef struct mt_links {
  * first[k] … first[k + 1] - 1; an aligned component has none. */
 typedef struct mt_side {
     mt_shape whole; /* as it was drawn */
-    mt_shape shape; /* its components: with MT_METHOD_JOINT cut where the other side is apart */
+    mt_shape shape; /* its components; MT_METHOD_JOINT cuts them where the other side has several */
     mt_box box;     /* of the shape: the paper's minimum rectangle */
-    bool *aligned;  /* of each component: it moves by contours, not by links */
+    bool *aligned;  /* of each component: it is morphed by contours, not by links */
     mt_pieces pieces;
     int *first; /* shape.count + 1 of them */
 } mt_side;
 
-/* Compatible masters: two contours with as many segments, of the same degrees, between which every point
- * moves on a straight line, or on one that is bent half-way. */
+/* Compatible masters: two contours with as many segments, of the same degrees. Every point moves on a straight line from one to the
+ * other, or on two where the contour is displaced. */
 typedef struct mt_contour_pair {
     mt_contour a, b;
-    mt_point
-        displacement; /* how far the contour stands aside half-way, to make way for another; in proportion between there and the ends */
+    mt_point displacement; /* of the whole contour half-way; it falls off in proportion towards both ends */
 } mt_contour_pair;
 
 typedef struct mt_morph {
     mt_side a, b;      /* b turned by -degrees about its box's middle */
     mt_links matches;  /* of components, 2.2.1 */
-    int contour_count; /* of the aligned components; none with MT_METHOD_PAPER */
+    int contour_count; /* contours of the aligned components; 0 with MT_METHOD_PAPER */
     mt_contour_pair *contours;
     mt_links links; /* of the others' pieces, 2.2.2: the paper's list R */
     double degrees; /* q of formula (5); 0 without rotation */
 } mt_morph;
 
-/* A morph as moving contours: compatible masters for all of it (between/variable_outline.h). */
+/* A whole morph as compatible masters (between/variable_outline.h). */
 typedef struct mt_variable_outline {
     int count;
     mt_contour_pair *contours; /* of B turned by -degrees, as in the morph */

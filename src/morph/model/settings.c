@@ -2,10 +2,10 @@
 
 #include "geometry/limits.h"
 
-/* Columns: direction, distance and corner of an alignment and of a walk; the step; whether there are jumps. A walker of the first
- * minds the distance more than one who only aligns, since it has the choice of all rings. The more an alignment minds the
- * distance, the less it minds what is a corner and what a side: strokes keep clear of each other, and are drawn worse. So
- * that comes last. */
+/* Columns: flatness (set below); direction, distance and corner of an alignment, and of a ring match; the step; jumps; the cache.
+ * The first settings weigh the distance of a ring match more than most, since a match can choose among all rings. The more an
+ * alignment weighs the distance, the less it distinguishes corners from sides: strokes keep clear of each other, and are drawn
+ * worse. Those settings come last. */
 static const mt_settings settings[] = {
     {0, {3, 4, 1}, {1, 4, 0}, 12, true, NULL},    {0, {3, 4, 1}, {1, 1, 0}, 12, false, NULL},
     {0, {3, 4, 1}, {1, 12, 0}, 20, false, NULL},  {0, {3, 16, 1}, {1, 1, 0}, 20, false, NULL},

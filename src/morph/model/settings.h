@@ -1,26 +1,26 @@
-/* How two glyphs are compared: what weighs how much when their boundaries are aligned, and where cuts are looked for. No one set
- * is best for all glyphs. */
+/* How two glyphs are compared: the weights of the costs when boundaries are aligned, and the places where cuts are looked for. No
+ * one set is best for all glyphs. */
 #ifndef MT_MORPH_MODEL_SETTINGS_H
 #define MT_MORPH_MODEL_SETTINGS_H
 
 #include "morphotype.h"
 
-/* What it costs that two samples go with each other (align.h). */
+/* The weights in the cost of pairing two samples (align/cost.h). */
 typedef struct mt_cost_weights {
-    double direction; /* for headings that are opposite, both in and out */
-    double distance;  /* for places as far apart as the box is wide or high */
-    double corner;    /* for a corner that turns about one way with one that turns about the other */
+    double direction; /* cost of opposite headings, both in and out */
+    double distance;  /* cost of places as far apart as the box is wide or high */
+    double corner;    /* cost of a corner that turns right back on a straight place */
 } mt_cost_weights;
 
 typedef struct mt_alignment_cache mt_alignment_cache;
 
 typedef struct mt_settings {
-    double flatness;           /* grid units: within what the curves were flattened */
-    mt_cost_weights align;     /* of two rings (align.h) */
-    mt_cost_weights walk;      /* of a ring with the other side's boundary (walk.h) */
-    double step;               /* between the samples of a boundary at most, 1/1000 em */
-    bool jumps;                /* walkers may jump over white */
-    mt_alignment_cache *known; /* alignments that were found before (known.h); NULL: none are kept */
+    double flatness;           /* grid units: the tolerance that the curves were flattened with */
+    mt_cost_weights align;     /* of two rings (align/align.h) */
+    mt_cost_weights match;     /* of a ring with the other side's boundary (divide/ring_matching.h) */
+    double step;               /* between neighbouring samples of a boundary at most, 1/1000 em */
+    bool jumps;                /* a ring's match may jump over white from one component to another */
+    mt_alignment_cache *cache; /* alignments found before (align/cache.h); NULL: none are kept */
 } mt_settings;
 
 /* The settings that are tried for a glyph, one after the other. The first, 0, is best for most. */
