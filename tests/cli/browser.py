@@ -3,7 +3,6 @@
 import base64
 import json
 import re
-import shutil
 import subprocess
 import urllib.error
 import urllib.request
@@ -13,11 +12,6 @@ ELEMENT = 'element-6066-11e4-a52e-4f735466cecf' # the key of an element's id, se
 KEYS = {name: chr(code) for name, code in (
     ('Left', 0xE012), ('Up', 0xE013), ('Right', 0xE014), ('Down', 0xE015), ('PageUp', 0xE00E), ('PageDown', 0xE00F),
     ('End', 0xE010), ('Home', 0xE011), ('Shift', 0xE008), ('Enter', 0xE007), ('Escape', 0xE00C), ('Tab', 0xE004))}
-
-
-def missing():
-    """Which of the programs are not installed."""
-    return [program for program in PROGRAMS if not shutil.which(program)]
 
 
 class Browser:

@@ -5,6 +5,7 @@ import pathlib
 import shutil
 import struct
 import subprocess
+import sys
 import tempfile
 import unittest
 import zlib
@@ -13,6 +14,7 @@ from fontTools import subset, ttLib
 from fontTools.ttLib.tables._g_l_y_f import Glyph
 
 MORPHOTYPE = os.environ['MORPHOTYPE']
+SKIPPED = 77 # what meson takes for a test that was left out
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
 DEBIAN = pathlib.Path('/usr/share/fonts')
@@ -45,12 +47,18 @@ def cut_font(target, text, blank=''):
     return target
 
 
+def make_directory(add_cleanup):
+    """An empty directory, removed with all that is in it when the clean-ups of a test or of a class are done."""
+    directory = pathlib.Path(tempfile.mkdtemp(prefix='morphotype-test-'))
+    add_cleanup(shutil.rmtree, directory, ignore_errors=True)
+    return directory
+
+
 class Test(unittest.TestCase):
     """Each test works in an empty directory of its own."""
 
     def setUp(self):
-        self.directory = pathlib.Path(tempfile.mkdtemp(prefix='morphotype-test-'))
-        self.addCleanup(shutil.rmtree, self.directory)
+        self.directory = make_directory(self.addCleanup)
 
     def run_program(self, *arguments, **options):
         """Runs it in the test's directory; stdout and stderr are bytes."""
@@ -146,5 +154,10 @@ class Image:
         return min(columns), max(columns) + 1, min(lines), max(lines) + 1
 
 
-def main():
+def main(needs=()):
+    """Runs the tests of the class that the command line names, or leaves them out where a program of `needs` is missing."""
+    missing = [program for program in needs if not shutil.which(program)]
+    if missing:
+        print('not installed:', *missing)
+        sys.exit(SKIPPED)
     unittest.main(verbosity=2)

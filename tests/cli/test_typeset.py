@@ -14,7 +14,6 @@ import harfbuzz
 from fontTools import ttLib
 
 NEEDS = {'Chromium': ['chromium'], 'LibreOffice': ['soffice', 'pdffonts', 'pdftotext']}
-SKIPPED = 77 # what meson takes for a test that was left out
 LINES = ('AVATAR Type', 'Wave To P.', 'Хлеба ГДА', 'Ώρα Λάθη')
 FAMILY = 'Between Ü'
 SIZE = 64
@@ -150,8 +149,4 @@ class LibreOffice(Typeset):
 
 
 if __name__ == '__main__':
-    missing = [program for program in NEEDS[sys.argv[1]] if not shutil.which(program)]
-    if missing:
-        print('not installed:', *missing)
-        sys.exit(SKIPPED)
-    cli.main()
+    cli.main(NEEDS[sys.argv[1]])

@@ -7,11 +7,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "blend/pair.h"
 #include "geometry/limits.h"
 #include "support/code_points.h"
+#include "support/sample.h"
 
 #define MEAN 0.25 /* the promise, 1/1000 em */
 #define LARGEST 1.0
@@ -129,20 +129,19 @@ static void say_failure(uint32_t c, mt_status why, void *user) {
 /* The blend at t, written and read back. */
 static mt_status blend_and_read(mt_font *a, mt_font *b, double t, const uint32_t *chars, int count,
                                 mt_font **made) {
-    char directory[] = "/tmp/morphotype-ends-XXXXXX", path[sizeof directory + 8];
+    mt_arena arena = {0};
     mt_params params = mt_params_default();
     mt_blend *blend;
-    if (!mkdtemp(directory)) return MT_CANNOT_WRITE;
-    snprintf(path, sizeof path, "%s/x.ttf", directory);
     mt_status status = mt_blend_new(a, b, &params, &blend);
     if (status != MT_OK) return status;
+    const char *directory = mt_sample_directory(&arena), *path = mt_sample_path(&arena, directory, "x.ttf");
     mt_blend_on_failure(blend, say_failure, NULL);
     status = mt_blend_set_chars(blend, chars, count);
     if (status == MT_OK) status = mt_blend_save(blend, t, path);
     if (status == MT_OK) status = mt_font_open(path, made);
     mt_blend_free(blend);
-    unlink(path);
-    rmdir(directory);
+    mt_sample_remove(directory);
+    mt_arena_release(&arena);
     return status;
 }
 

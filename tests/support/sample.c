@@ -114,6 +114,15 @@ char *mt_sample_directory(mt_arena *arena) {
     return path;
 }
 
+int mt_sample_count(const char *directory) {
+    int count = 0;
+    DIR *entries = opendir(directory);
+    assert_non_null(entries);
+    while (readdir(entries)) count++;
+    closedir(entries);
+    return count - 2; /* . and .. */
+}
+
 void mt_sample_remove(const char *directory) {
     mt_arena arena = {0};
     DIR *entries = opendir(directory);

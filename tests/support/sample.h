@@ -15,6 +15,8 @@ mt_glyf mt_sample_glyph(mt_arena *arena, const int16_t (*points)[2], int count, 
 /* A new directory for files, and what is in it under `name`; both belong to the arena. */
 char *mt_sample_directory(mt_arena *arena);
 char *mt_sample_path(mt_arena *arena, const char *directory, const char *name);
+/* How many files and directories are in it, hidden ones too. */
+int mt_sample_count(const char *directory);
 /* Removes the directory and all that is in it. */
 void mt_sample_remove(const char *directory);
 

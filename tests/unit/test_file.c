@@ -3,7 +3,6 @@
 #include "support/check.h"
 #include "support/sample.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -30,15 +29,6 @@ static char *path_of(const char *name) {
     return mt_sample_path(&arena, directory, name);
 }
 
-static int count_entries(void) {
-    int count = 0;
-    DIR *entries = opendir(directory);
-    assert_non_null(entries);
-    while (readdir(entries)) count++;
-    closedir(entries);
-    return count - 2; /* . and .. */
-}
-
 static void assert_holds(const char *path, const char *text) {
     uint8_t *bytes;
     size_t length;
@@ -57,7 +47,7 @@ static void writes_and_replaces(void **state) {
     assert_holds(path, "second one");
     mt_assert_ok(mt_file_write(path, "", 0));
     assert_holds(path, "");
-    assert_int_equal(count_entries(), 1);
+    assert_int_equal(mt_sample_count(directory), 1);
 }
 
 static void honours_the_umask(void **state) {
@@ -95,7 +85,7 @@ static void leaves_nothing_when_it_cannot_write(void **state) {
     (void)state;
     const char *taken = path_of("taken");
     assert_int_equal(mkdir(taken, 0777), 0);
-    int before = count_entries();
+    int before = mt_sample_count(directory);
     assert_int_equal(mt_file_write(taken, "x", 1), MT_CANNOT_WRITE);
     assert_int_equal(errno, EISDIR);
     assert_int_equal(mt_file_write(path_of("missing/out.ttf"), "x", 1), MT_CANNOT_WRITE);
@@ -104,7 +94,7 @@ static void leaves_nothing_when_it_cannot_write(void **state) {
     assert_int_equal(mt_file_write(path_of("taken/"), "x", 1), MT_CANNOT_WRITE);
     assert_int_equal(mt_file_write(path_of("new/"), "x", 1), MT_CANNOT_WRITE);
     assert_int_equal(mt_file_write("/dev/null", "x", 1), MT_CANNOT_WRITE);
-    assert_int_equal(count_entries(), before);
+    assert_int_equal(mt_sample_count(directory), before);
 }
 
 static void steps_over_a_name_in_use(void **state) {
@@ -166,7 +156,7 @@ static void survives_want_of_memory(void **state) {
     size_t length;
     const char *path = path_of("memory.ttf");
     mt_assert_ok(mt_file_write(path, "before", 6));
-    int before = count_entries();
+    int before = mt_sample_count(directory);
     mt_allocation_watch();
     mt_allocation_fail(0, true);
     mt_status wrote = mt_file_write(path, "after", 5), read = mt_file_read(path, 100, &bytes, &length);
@@ -175,7 +165,7 @@ static void survives_want_of_memory(void **state) {
     assert_int_equal(read, MT_NO_MEMORY);
     assert_int_equal(mt_allocation_live(), 0);
     assert_holds(path, "before");
-    assert_int_equal(count_entries(), before);
+    assert_int_equal(mt_sample_count(directory), before);
 }
 
 int main(void) {

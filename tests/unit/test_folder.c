@@ -3,7 +3,6 @@
 #include "support/check.h"
 #include "support/sample.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -30,15 +29,6 @@ static int tear_down(void **state) {
 
 static const char *path_of(const char *name) {
     return mt_sample_path(&arena, directory, name);
-}
-
-static int count_entries(void) {
-    int count = 0;
-    DIR *entries = opendir(directory);
-    assert_non_null(entries);
-    while (readdir(entries)) count++;
-    closedir(entries);
-    return count - 2; /* . and .. */
 }
 
 static void assert_holds(const char *path, const char *text) {
@@ -79,12 +69,12 @@ static void appears_whole(void **state) {
     mt_folder folder;
     mt_assert_ok(fill(path, "text", &folder));
     assert_false(stands(path));
-    assert_int_equal(count_entries(), 1);
+    assert_int_equal(mt_sample_count(directory), 1);
     assert_int_equal(folder.length, 8);
     mt_assert_ok(mt_folder_place(&folder, MARK));
     mt_folder_free(&folder);
     assert_holds(path_of("whole/below/text"), "text");
-    assert_int_equal(count_entries(), 1);
+    assert_int_equal(mt_sample_count(directory), 1);
     mt_folder_remove(path);
 }
 
@@ -93,7 +83,7 @@ static void goes_when_it_is_given_up(void **state) {
     mt_folder folder;
     mt_assert_ok(fill(path_of("given-up"), "text", &folder));
     mt_folder_free(&folder);
-    assert_int_equal(count_entries(), 0);
+    assert_int_equal(mt_sample_count(directory), 0);
 }
 
 static void replaces_its_own_kind(void **state) {
@@ -104,7 +94,7 @@ static void replaces_its_own_kind(void **state) {
     mt_assert_ok(make(path, "second"));
     assert_holds(path_of("again/below/text"), "second");
     assert_false(stands(path_of("again/below/more")));
-    assert_int_equal(count_entries(), 1);
+    assert_int_equal(mt_sample_count(directory), 1);
     mt_folder_remove(path);
 }
 
@@ -121,7 +111,7 @@ static void replaces_nothing_else(void **state) {
     mt_sample_save(path, "file", 4);
     assert_int_equal(make(path, "text"), MT_CANNOT_WRITE);
     assert_holds(path, "file");
-    assert_int_equal(count_entries(), 1);
+    assert_int_equal(mt_sample_count(directory), 1);
     assert_int_equal(unlink(path), 0);
 }
 
@@ -133,7 +123,7 @@ static void leaves_what_a_link_leads_to(void **state) {
     mt_assert_ok(make(path, "text"));
     assert_holds(path_of("link/" MARK), "text");
     assert_holds(path_of("target/" MARK), "target");
-    assert_int_equal(count_entries(), 2);
+    assert_int_equal(mt_sample_count(directory), 2);
     assert_int_equal(symlink("../target", path_of("link/below/up")), 0);
     mt_folder_remove(path);
     assert_holds(path_of("target/" MARK), "target");
@@ -151,7 +141,7 @@ static void leaves_nothing_when_it_cannot_write(void **state) {
     assert_int_equal(mt_folder_add_folder(&folder, "below"), MT_CANNOT_WRITE);
     assert_int_equal(mt_folder_add_file(&folder, "nowhere/file", "text", 4), MT_CANNOT_WRITE);
     mt_folder_free(&folder);
-    assert_int_equal(count_entries(), 0);
+    assert_int_equal(mt_sample_count(directory), 0);
 }
 
 static void survives_want_of_memory(void **state) {
@@ -167,7 +157,7 @@ static void survives_want_of_memory(void **state) {
         long live = mt_allocation_live();
         mt_allocation_unwatch();
         assert_int_equal(live, 0);
-        assert_int_equal(count_entries(), 1);
+        assert_int_equal(mt_sample_count(directory), 1);
         if (status != MT_OK) assert_holds(path_of("memory/below/text"), "before");
     }
     mt_assert_ok(status);

@@ -4,7 +4,6 @@
 #include "support/fonts.h"
 #include "support/sample.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -66,15 +65,6 @@ static const char *path_of(const char *name) {
     return mt_sample_path(&arena, directory, name);
 }
 
-static int count_entries(void) {
-    int count = 0;
-    DIR *entries = opendir(directory);
-    assert_non_null(entries);
-    while (readdir(entries)) count++;
-    closedir(entries);
-    return count - 2; /* . and .. */
-}
-
 static void assert_starts(const char *path, const char *bytes) {
     size_t length;
     uint8_t *all = mt_sample_load(&arena, path, &length);
@@ -97,7 +87,7 @@ static void format_is_by_extension(void **state) {
     static const char *const others[] = {"x.otf", "x", "x.ttf.gz", "ufo", ""};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         assert_int_equal(mt_blend_save(pair.blend, 0.5, path_of(others[i])), MT_UNKNOWN_FORMAT);
-    assert_int_equal(count_entries(), 0);
+    assert_int_equal(mt_sample_count(directory), 0);
     close_pair(&pair);
 }
 
@@ -107,24 +97,24 @@ static void all_are_saved_or_none(void **state) {
     font_pair pair = open_test_pair();
     const char *paths[] = {path_of("1.ttf"), path_of("2.ufo"), path_of("3.woff2")};
     mt_assert_ok(mt_blend_save_fonts(pair.blend, t, 3, paths));
-    assert_int_equal(count_entries(), 3);
+    assert_int_equal(mt_sample_count(directory), 3);
     assert_int_equal(unlink(paths[0]), 0);
     mt_folder_remove(paths[1]);
     assert_int_equal(unlink(paths[2]), 0);
     paths[2] = path_of("missing/3.woff2"); /* is found out when the others have their places */
     assert_int_equal(mt_blend_save_fonts(pair.blend, t, 3, paths), MT_CANNOT_WRITE);
     assert_int_equal(errno, ENOENT);
-    assert_int_equal(count_entries(), 0);
+    assert_int_equal(mt_sample_count(directory), 0);
     assert_int_equal(mkdir(paths[1], 0777), 0);
     paths[2] = path_of("3.ttf");
     assert_int_equal(mt_blend_save_fonts(pair.blend, t, 3, paths), MT_CANNOT_WRITE);
-    assert_int_equal(count_entries(), 1);
+    assert_int_equal(mt_sample_count(directory), 1);
     assert_int_equal(rmdir(paths[1]), 0);
     close_pair(&pair);
 }
 
 static mt_status refuse(void *user) {
-    *(int *)user = count_entries();
+    *(int *)user = mt_sample_count(directory);
     return MT_NO_GLYPH;
 }
 
@@ -138,7 +128,7 @@ static void nothing_is_in_its_place_before_all_are_made(void **state) {
     assert_int_equal(mt_blend_save_when(pair.blend, &saving, &failed), MT_NO_GLYPH);
     assert_int_equal(entries, 1); /* the UFO under its other name */
     assert_int_equal(failed, -1);
-    assert_int_equal(count_entries(), 0);
+    assert_int_equal(mt_sample_count(directory), 0);
     close_pair(&pair);
 }
 
@@ -162,7 +152,7 @@ static void survives_want_of_memory(void **state) {
             long live = mt_allocation_live();
             mt_allocation_unwatch();
             assert_int_equal(live, 0);
-            if (status != MT_OK) assert_int_equal(count_entries(), 0);
+            if (status != MT_OK) assert_int_equal(mt_sample_count(directory), 0);
         }
         mt_assert_ok(status);
         mt_folder_remove(path);

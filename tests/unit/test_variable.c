@@ -1,5 +1,4 @@
 /* The public variable font: what it takes, what it writes where, and want of memory. */
-#include <dirent.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -67,15 +66,6 @@ static const char *path_of(const char *name) {
     return mt_sample_path(&arena, directory, name);
 }
 
-static int count_entries(void) {
-    int count = 0;
-    DIR *entries = opendir(directory);
-    assert_non_null(entries);
-    while (readdir(entries)) count++;
-    closedir(entries);
-    return count - 2; /* . and .. */
-}
-
 static void numbers_of_fonts_are_checked(void **state) {
     (void)state;
     mt_font *fonts[MT_VARIABLE_FONTS_MAX + 1] = {0};
@@ -139,7 +129,7 @@ static void format_is_by_extension(void **state) {
     struct stat about;
     mt_assert_ok(mt_variable_save(row.variable, path_of("x.ttf")));
     mt_assert_ok(mt_variable_save(row.variable, path_of("x.designspace")));
-    assert_int_equal(count_entries(), 3);
+    assert_int_equal(mt_sample_count(directory), 3);
     assert_int_equal(stat(path_of("x-masters/Morph-0.ufo/metainfo.plist"), &about), 0);
     assert_int_equal(stat(path_of("x-masters/Morph-100.ufo/metainfo.plist"), &about), 0);
     assert_int_equal(unlink(path_of("x.ttf")), 0);
@@ -151,7 +141,7 @@ static void format_is_by_extension(void **state) {
     mt_assert_ok(mt_blend_new(row.fonts[0], row.fonts[1], &params, &blend));
     assert_int_equal(mt_blend_save(blend, 0.5, path_of("x.designspace")), MT_UNKNOWN_FORMAT);
     mt_blend_free(blend);
-    assert_int_equal(count_entries(), 0);
+    assert_int_equal(mt_sample_count(directory), 0);
     close_row(&row);
 }
 
@@ -161,7 +151,7 @@ static void a_document_that_cannot_stand_leaves_nothing(void **state) {
     font_row row = open_test_row();
     assert_int_equal(mkdir(path_of("x.designspace"), 0777), 0);
     assert_int_equal(mt_variable_save(row.variable, path_of("x.designspace")), MT_CANNOT_WRITE);
-    assert_int_equal(count_entries(), 1);
+    assert_int_equal(mt_sample_count(directory), 1);
     assert_int_equal(rmdir(path_of("x.designspace")), 0);
     close_row(&row);
 }
@@ -188,7 +178,7 @@ static void survives_want_of_memory(void **state) {
             long live = mt_allocation_live();
             mt_allocation_unwatch();
             assert_int_equal(live, 0);
-            if (status != MT_OK) assert_int_equal(count_entries(), 0);
+            if (status != MT_OK) assert_int_equal(mt_sample_count(directory), 0);
         }
         mt_assert_ok(status);
         unlink(path);
