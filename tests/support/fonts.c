@@ -2,10 +2,12 @@
 
 #include "support/check.h"
 
+#include <stdlib.h>
 #include <unistd.h>
 
 mt_font *mt_test_font(const char *path) {
     if (access(path, R_OK) != 0) {
+        if (getenv("MORPHOTYPE_FONTS_REQUIRED")) fail_msg("%s is not installed", path);
         print_message("%s is not installed\n", path);
         skip();
     }

@@ -9,7 +9,7 @@
 #define MT_TEST_HEI "/usr/share/fonts/truetype/wqy/wqy-zenhei.ttc"
 #define MT_TEST_KAI "/usr/share/fonts/truetype/arphic/ukai.ttc"
 
-/* Opens it, or skips the test when the package is not installed. */
+/* Opens it. Where it is not installed, skips the test, or fails it if MORPHOTYPE_FONTS_REQUIRED is set. */
 mt_font *mt_test_font(const char *path);
 
 /* Code points of letters, digits and signs (Latin, some Greek and Cyrillic), and of common Han characters. */
