@@ -32,9 +32,9 @@ static sheet sheet_of(const mt_component *component) {
 }
 
 static mt_shape parts_of(sheet *s) {
-    mt_stencil stencil = {&s->mesh, s->drawn, s->cut};
+    mt_cut_plan plan = {&s->mesh, s->drawn, s->cut};
     mt_shape parts;
-    mt_assert_ok(mt_cut(&stencil, &arena, &parts, s->part_of));
+    mt_assert_ok(mt_cut(&plan, &arena, &parts, s->part_of));
     return parts;
 }
 

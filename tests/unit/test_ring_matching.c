@@ -31,15 +31,15 @@ static mt_boundary boundary_of(const mt_shape *shape) {
     return boundary;
 }
 
-static mt_ring_match walk_around(const mt_boundary *from, int ring, const mt_boundary *to) {
-    mt_ring_match walk;
-    mt_assert_ok(mt_match_ring(from, ring, to, &settings.match, NULL, &arena, &walk));
-    return walk;
+static mt_ring_match match_around(const mt_boundary *from, int ring, const mt_boundary *to) {
+    mt_ring_match match;
+    mt_assert_ok(mt_match_ring(from, ring, to, &settings.match, NULL, &arena, &match));
+    return match;
 }
 
-static int chords_of(const mt_ring_match *walk) {
+static int chords_of(const mt_ring_match *match) {
     int count = 0;
-    for (int k = 0; k < walk->count; k++) count += walk->steps[k].chord >= 0;
+    for (int k = 0; k < match->count; k++) count += match->steps[k].chord >= 0;
     return count;
 }
 
@@ -50,13 +50,14 @@ static int next_sample(const mt_boundary *boundary, int sample) {
 }
 
 /* Closed, once around the ring, and from step to step along a ring of the boundary or over a chord of it. */
-static void check_walk(const mt_boundary *from, int ring, const mt_boundary *to, const mt_ring_match *walk) {
+static void check_match(const mt_boundary *from, int ring, const mt_boundary *to,
+                        const mt_ring_match *match) {
     int low = from->first_of_ring[ring], high = from->first_of_ring[ring + 1], moved = 0;
-    assert_true(walk->count > high - low && walk->cost >= 0);
-    assert_int_equal(walk->steps[0].here, walk->steps[walk->count - 1].here);
-    assert_int_equal(walk->steps[0].there, walk->steps[walk->count - 1].there);
-    for (int k = 0; k < walk->count; k++) {
-        mt_match_step step = walk->steps[k], last = walk->steps[k ? k - 1 : 0];
+    assert_true(match->count > high - low && match->cost >= 0);
+    assert_int_equal(match->steps[0].here, match->steps[match->count - 1].here);
+    assert_int_equal(match->steps[0].there, match->steps[match->count - 1].there);
+    for (int k = 0; k < match->count; k++) {
+        mt_match_step step = match->steps[k], last = match->steps[k ? k - 1 : 0];
         assert_in_range(step.here, low, high - 1);
         assert_in_range(step.there, 0, to->count - 1);
         bool moves = k > 0 && step.here != last.here;
@@ -83,12 +84,12 @@ static void on_its_own_boundary(void **state) {
         mt_shape shape = mt_test_shape_of(&arena, &component);
         mt_boundary boundary = boundary_of(&shape);
         for (int r = 0; r < boundary.ring_count; r++) {
-            mt_ring_match walk = walk_around(&boundary, r, &boundary);
-            check_walk(&boundary, r, &boundary, &walk);
-            assert_int_equal(walk.count, boundary.first_of_ring[r + 1] - boundary.first_of_ring[r] + 1);
-            assert_int_equal(chords_of(&walk), 0);
-            assert_true(walk.cost < 1e-6);
-            for (int k = 0; k < walk.count; k++) assert_int_equal(walk.steps[k].here, walk.steps[k].there);
+            mt_ring_match match = match_around(&boundary, r, &boundary);
+            check_match(&boundary, r, &boundary, &match);
+            assert_int_equal(match.count, boundary.first_of_ring[r + 1] - boundary.first_of_ring[r] + 1);
+            assert_int_equal(chords_of(&match), 0);
+            assert_true(match.cost < 1e-6);
+            for (int k = 0; k < match.count; k++) assert_int_equal(match.steps[k].here, match.steps[k].there);
         }
     }
 }
@@ -122,11 +123,11 @@ static mt_point place_of(const mt_boundary *boundary, int sample) {
 }
 
 /* The one chord of a walk. It has to lie across the neck. */
-static int only_chord(const mt_ring_match *walk, const mt_boundary *to) {
-    assert_int_equal(chords_of(walk), 1);
+static int only_chord(const mt_ring_match *match, const mt_boundary *to) {
+    assert_int_equal(chords_of(match), 1);
     int k = 0;
-    while (walk->steps[k].chord < 0) k++;
-    int chord = walk->steps[k].chord, ends[] = {mt_chord_source(to, chord), to->chords[chord].to};
+    while (match->steps[k].chord < 0) k++;
+    int chord = match->steps[k].chord, ends[] = {mt_chord_source(to, chord), to->chords[chord].to};
     for (int i = 0; i < 2; i++) {
         mt_point p = place_of(to, ends[i]);
         int x = p.x / UNIT, y = p.y / UNIT;
@@ -139,9 +140,9 @@ static void a_dot_merged_into_a_bar(void **state) {
     (void)state;
     mt_shape apart = bar_and_dot(), together = merged();
     mt_boundary from = boundary_of(&apart), to = boundary_of(&together);
-    mt_ring_match around_bar = walk_around(&from, 0, &to), around_dot = walk_around(&from, 1, &to);
-    check_walk(&from, 0, &to, &around_bar);
-    check_walk(&from, 1, &to, &around_dot);
+    mt_ring_match around_bar = match_around(&from, 0, &to), around_dot = match_around(&from, 1, &to);
+    check_match(&from, 0, &to, &around_bar);
+    check_match(&from, 1, &to, &around_dot);
     int under = only_chord(&around_bar, &to), over = only_chord(&around_dot, &to);
     /* the bar's upper side runs to the left, the dot's lower side to the right */
     assert_true(place_of(&to, to.chords[under].to).x < place_of(&to, mt_chord_source(&to, under)).x);
@@ -153,14 +154,14 @@ static void jumps_over_a_gap(void **state) {
     (void)state;
     mt_shape apart = bar_and_dot(), together = merged();
     mt_boundary from = boundary_of(&together), to = boundary_of(&apart);
-    mt_ring_match walk = walk_around(&from, 0, &to);
-    check_walk(&from, 0, &to, &walk);
+    mt_ring_match match = match_around(&from, 0, &to);
+    check_match(&from, 0, &to, &match);
     int jumps = 0;
-    for (int k = 1; k < walk.count; k++) {
-        bool in_dot = walk.steps[k].there >= to.first_sample[1];
-        if (in_dot == (walk.steps[k - 1].there >= to.first_sample[1])) continue;
-        assert_true(walk.steps[k].chord >= 0);
-        assert_int_equal(to.chords[walk.steps[k].chord].edge, -1);
+    for (int k = 1; k < match.count; k++) {
+        bool in_dot = match.steps[k].there >= to.first_sample[1];
+        if (in_dot == (match.steps[k - 1].there >= to.first_sample[1])) continue;
+        assert_true(match.steps[k].chord >= 0);
+        assert_int_equal(to.chords[match.steps[k].chord].edge, -1);
         jumps++;
     }
     assert_int_equal(jumps, 2);
@@ -171,12 +172,12 @@ static void barred_bridges_are_not_taken(void **state) {
     (void)state;
     mt_shape apart = bar_and_dot(), together = merged();
     mt_boundary from = boundary_of(&apart), to = boundary_of(&together);
-    double before = walk_around(&from, 1, &to).cost;
+    double before = match_around(&from, 1, &to).cost;
     for (int i = 0; i < to.first_chord[to.count]; i++) to.chords[i].cost = INFINITY;
-    mt_ring_match walk = walk_around(&from, 1, &to);
-    check_walk(&from, 1, &to, &walk);
-    assert_int_equal(chords_of(&walk), 0);
-    assert_true(walk.cost > before && walk.cost < INFINITY);
+    mt_ring_match match = match_around(&from, 1, &to);
+    check_match(&from, 1, &to, &match);
+    assert_int_equal(chords_of(&match), 0);
+    assert_true(match.cost > before && match.cost < INFINITY);
 }
 
 /* Every chord has one back, over the same diagonal. */
@@ -203,8 +204,8 @@ static void random_walks(void **state) {
                  b = mt_random_shape(&random, &arena, 2, 12, 60000);
         mt_boundary from = boundary_of(&a), to = boundary_of(&b);
         for (int r = 0; r < from.ring_count; r++) {
-            mt_ring_match walk = walk_around(&from, r, &to);
-            check_walk(&from, r, &to, &walk);
+            mt_ring_match match = match_around(&from, r, &to);
+            check_match(&from, r, &to, &match);
         }
         mt_arena_rewind(&arena, place);
     }

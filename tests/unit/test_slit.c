@@ -203,7 +203,7 @@ static void both_sides_of_a_slit_are_alike(void **state) {
         size_t triangles = (size_t)boundary.meshes[0].triangle_count;
         bool *cut = mt_arena_new(&arena, 3 * triangles, sizeof *cut);
         int *share_of = mt_arena_new(&arena, triangles, sizeof *share_of);
-        mt_stencil uncut = {&boundary.meshes[0], boundary.drawn[0], cut};
+        mt_cut_plan uncut = {&boundary.meshes[0], boundary.drawn[0], cut};
         mt_assert_ok(mt_cut(&uncut, &arena, &shares, share_of));
         mt_require(shares.count == 1 && shares.components[0].count == 1, &subject);
         mt_require(shares.components[0].rings[0].count == 9, &subject);

@@ -1,3 +1,13 @@
+/* The graph of a shape's boundary: vertices are samples, edges lead along rings, over chords and over jumps.
+ *
+ *     ┌──●──●──●──┐        ┌──●──┐     ●  sample: a vertex, or a place on a long edge (settings' step)
+ *     ●  :  ink   ●- - - - ●     ●     :  chord: a diagonal of the constrained Delaunay triangulation of the ink, not an ear's
+ *     └──●──●──●──┘  jump  └──●──┘     -  jump: between samples of two components, each the other's nearest, within JUMP_REACH
+ *
+ * A chord is kept where it is at most `reach` long and no ear: the boundary between its ends has to be longer than EAR_SHARE times the
+ * chord and EAR. Invariants: samples of a ring, rings of a component, and components are numbered consecutively; the chords of a sample
+ * are first_chord[i] … first_chord[i + 1] - 1; each chord has its reverse, which the same diagonal or jump gives.
+ * O(n log n) for n samples in practice, as the triangulation is; with jumps O(n²) between components near to one another. */
 #include "morph/divide/boundary_graph.h"
 
 #include <math.h>
@@ -10,7 +20,7 @@ static int parts_of(mt_point a, mt_point b, double step) {
     return 1 + (int)(sqrt((double)mt_distance2(a, b)) / step);
 }
 
-/* The place k parts of the way from a to b: the same from either end, so that the two sides of a slit stay together. */
+/* The place at k / parts of the way from a to b: the same from either end, so that both sides of a slit keep the same points. */
 static mt_point place_between(mt_point a, mt_point b, int k, int parts) {
     if (b.x < a.x || (b.x == a.x && b.y < a.y)) return place_between(b, a, parts - k, parts);
     double s = (double)k / parts;
@@ -18,7 +28,7 @@ static mt_point place_between(mt_point a, mt_point b, int k, int parts) {
                       a.y + (int32_t)lround(s * ((double)b.y - a.y))};
 }
 
-/* The ring with its long edges divided; drawn[i] tells the vertices that it had before. */
+/* The ring with its long edges divided; drawn[i]: the ring had vertex i before. */
 static mt_status refine(const mt_ring *ring, double step, mt_arena *arena, mt_ring *fine, bool *drawn) {
     int64_t total = 0;
     for (int i = 0; i < ring->count; i++)
@@ -85,10 +95,11 @@ static mt_status add_component(const mt_component *component, int c, double flat
 
 /* ---- chords ----------------------------------------------------------------------------------------------------- */
 
-#define EAR 0.02         /* em */
-#define EAR_SHARE 2.0    /* of the diagonal's length */
-#define CHORD_COST 1.0   /* for crossing at all … */
-#define CHORD_EM_COST 10 /* … and for each em of the way */
+#define EAR 0.02 /* em, and … */
+#define EAR_SHARE                                                                                            \
+    2.0 /* … times the diagonal's length: a diagonal with a shorter boundary between its ends is an ear's */
+#define CHORD_COST 1.0   /* of each chord: as much as a place with opposite headings … */
+#define CHORD_EM_COST 10 /* … and of each em of its length */
 
 static int edge_end(const mt_mesh *mesh, int e) {
     return mesh->start[mt_mesh_after(e)];
@@ -98,7 +109,7 @@ static double diagonal_length(const mt_mesh *mesh, int e) {
     return sqrt((double)mt_distance2(mesh->points[mesh->start[e]], mesh->points[edge_end(mesh, e)]));
 }
 
-/* How far it is from one sample to another along their ring, the shorter way; INFINITY between rings. */
+/* The length of boundary between two samples of a ring, the shorter way round; INFINITY between rings. */
 static double way_round(const mt_boundary *b, int from, int to) {
     int ring = mt_boundary_ring(b, from);
     if (to < b->first_of_ring[ring] || to >= b->first_of_ring[ring + 1]) return INFINITY;
@@ -107,7 +118,7 @@ static double way_round(const mt_boundary *b, int from, int to) {
     return fmin(way, whole - way);
 }
 
-/* Whether a diagonal only cuts a corner off: the boundary between its ends is hardly longer. */
+/* Whether a diagonal only cuts off a corner: the boundary between its ends is hardly longer. */
 static bool is_ear(const mt_boundary *b, int from, int to, double length) {
     return way_round(b, from, to) < EAR_SHARE * length / MT_EM + EAR;
 }
@@ -129,11 +140,11 @@ static void list_chords(mt_boundary *boundary, int c, double reach, int *next) {
 
 /* ---- jumps ------------------------------------------------------------------------------------------------------- */
 
-#define JUMP_REACH 0.15 /* em */
-#define JUMP_COST 1.0   /* for leaping at all … */
-#define JUMP_EM_COST 10 /* … and for each em of the way */
+#define JUMP_REACH 0.15 /* em: parts further apart are not taken for one */
+#define JUMP_COST 1.0   /* of each jump … */
+#define JUMP_EM_COST 10 /* … and of each em of its length: as a chord's */
 
-/* How far a place is from a component's box, em. */
+/* The distance of a place from a component's box, em. */
 static double outside(const mt_boundary *b, int c, mt_point place) {
     mt_box box = b->boxes[c];
     double x = fmax(0, fmax((double)box.min.x - place.x, (double)place.x - box.max.x));
@@ -141,7 +152,7 @@ static double outside(const mt_boundary *b, int c, mt_point place) {
     return sqrt(x * x + y * y) / MT_EM;
 }
 
-/* The sample of component c that is nearest to a sample of another one, near enough to jump to; -1 where none is. */
+/* The sample of component c nearest to a sample of another component; -1 where it is further than JUMP_REACH. */
 static int nearest_of(const mt_boundary *b, int c, int sample) {
     mt_point place = b->places[sample];
     if (outside(b, c, place) > JUMP_REACH) return -1;
@@ -151,7 +162,7 @@ static int nearest_of(const mt_boundary *b, int c, int sample) {
     return mt_boundary_distance(b, sample, best) <= JUMP_REACH ? best : -1;
 }
 
-/* Counts the jumps between two components, or writes them when there is room: between samples that are nearest to one another. */
+/* Counts the jumps between two components, or writes them when there is room. */
 static void list_jumps(mt_boundary *b, int c, int d, int *next) {
     for (int i = b->first_sample[c]; i < b->first_sample[c + 1]; i++) {
         int k = nearest_of(b, d, i);
@@ -189,7 +200,7 @@ static mt_status add_chords(mt_boundary *boundary, double reach, bool jumps, mt_
 
 /* ---- all of it --------------------------------------------------------------------------------------------------- */
 
-/* Which of `count` runs, of which run i begins at first[i], holds `item`. */
+/* The run that holds `item`, of `count` runs of which run i begins at first[i]. */
 static int run_of(const int *first, int count, int item) {
     int low = 0, high = count;
     while (high - low > 1) {
@@ -207,7 +218,7 @@ int mt_boundary_ring(const mt_boundary *boundary, int sample) {
 }
 
 int mt_chord_source(const mt_boundary *boundary, int chord) {
-    /* of the samples that have none, which begin where the next begins, the last one is found: the one that has it */
+    /* samples without chords begin where the next one begins: the search finds the last of these, which has the chord */
     return run_of(boundary->first_chord, boundary->count, chord);
 }
 

@@ -1,24 +1,27 @@
-/* The boundary of a shape as a graph on which a walker of the other glyph's boundary may go: along the rings
- * from sample to sample, and across the ink over chords. */
+/* The boundary of a shape as a graph, onto which the rings of the other glyph are matched: along the rings from sample to sample,
+ * across the ink over chords, and across white over jumps. */
 #ifndef MT_MORPH_DIVIDE_BOUNDARY_GRAPH_H
 #define MT_MORPH_DIVIDE_BOUNDARY_GRAPH_H
 
 #include "geometry/triangulate.h"
 #include "morph/align/align.h"
 
-/* A place to cross the ink, in one direction: a diagonal of the triangulation. Or a jump over white to another component: a
- * part that is whole on one side may be two on the other. */
+/* The longest chords of a division and of slits, 1/1000 em: the strokes of black faces are some 250 wide. */
+#define MT_CHORD_REACH 300.0
+
+/* An edge of the graph across the ink, in one direction: a diagonal of the triangulation. Or a jump over white to another component,
+ * since a part that is whole on one side may be two on the other. */
 typedef struct mt_chord {
-    int to;      /* the sample on the other bank */
+    int to;      /* the sample at its other end */
     int edge;    /* the half-edge of its component's mesh; -1 for a jump */
-    double cost; /* INFINITY where it is barred */
+    double cost; /* INFINITY: barred */
 } mt_chord;
 
 typedef struct mt_boundary {
     mt_box box; /* of the glyph */
     int component_count;
     mt_mesh *meshes;   /* of each component, its long edges divided */
-    bool **drawn;      /* of each component's mesh, the vertices that its rings had before */
+    bool **drawn;      /* of each component's mesh: which vertices its rings had before */
     mt_box *boxes;     /* of each component */
     int *first_sample; /* component_count + 1: vertex v of mesh c is sample first_sample[c] + v */
     int ring_count;
@@ -32,8 +35,8 @@ typedef struct mt_boundary {
     mt_chord *chords;
 } mt_boundary;
 
-/* The boundary of a shape in its glyph's box, with the settings' samples, the chords shorter than `reach` grid units, and jumps if the
- * settings has them. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
+/* The boundary of a shape in its glyph's box, with samples as close as the settings' step, the chords up to `reach` grid units long,
+ * and jumps if the settings have them. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
 mt_status mt_boundary_of(const mt_shape *shape, mt_box box, const mt_settings *settings, double reach,
                          mt_arena *arena, mt_boundary *boundary);
 
@@ -41,10 +44,10 @@ mt_status mt_boundary_of(const mt_shape *shape, mt_box box, const mt_settings *s
 int mt_chord_source(const mt_boundary *boundary, int chord);
 int mt_chord_back(const mt_boundary *boundary, int chord);
 
-/* How far two samples are apart, em. */
+/* The distance between two samples, em. */
 double mt_boundary_distance(const mt_boundary *boundary, int i, int j);
 
-/* How long a chord is, em. */
+/* The length of a chord, em. */
 double mt_chord_length(const mt_boundary *boundary, int chord);
 
 /* The ring that a sample is on. */

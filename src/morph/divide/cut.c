@@ -1,20 +1,30 @@
+/* Cutting a triangulated component along diagonals. Cuts have no width.
+ *
+ *     ┌─────────┐       ┌────┬┬────┐         ┌─────────┐        ┌─────────┐
+ *     │         ┊  ──▶  │    ││    │         │  ┌──┐┈┈┈│  ──▶   │  ┌──┐───│
+ *     └─────────┘       └────┴┴────┘         │  └──┘   │        │  └──┘───│   (one ring, there and back)
+ *     a ring to itself: two parts            └─────────┘        └─────────┘   a hole to another ring: one ring less
+ *
+ * Triangles that share an uncut edge are one part (flood fill). The border of a part consists of half-edges without a twin or along a
+ * cut; turning around the end of each, through the ink, finds the next. Invariants: every border half-edge is in one ring; the outer
+ * ring alone of a part runs anticlockwise. O(t) for t triangles, and O(t) more for each part. */
 #include "morph/divide/cut.h"
 
 typedef struct mt_cutting {
-    const mt_stencil *ink;
+    const mt_cut_plan *plan;
     mt_arena *arena;
     int *part_of;
-    bool *end;    /* each vertex: of a cut */
-    bool *traced; /* each half-edge */
+    bool *end;    /* of each vertex: whether a cut ends there */
+    bool *traced; /* of each half-edge: whether a ring has it */
 } mt_cutting;
 
-/* Whether there is no ink of the same part beyond a half-edge, or only across a cut. */
-static bool is_shore(const mt_cutting *k, int e) {
-    return k->ink->mesh->twin[e] < 0 || k->ink->cut[e];
+/* Whether a half-edge bounds its part: beyond it lies no ink, or a cut. */
+static bool is_border(const mt_cutting *k, int e) {
+    return k->plan->mesh->twin[e] < 0 || k->plan->cut[e];
 }
 
 static mt_status flood(mt_cutting *k, int *count) {
-    const mt_mesh *mesh = k->ink->mesh;
+    const mt_mesh *mesh = k->plan->mesh;
     int *stack = mt_arena_new(k->arena, (size_t)mesh->triangle_count, sizeof *stack);
     if (!stack) return MT_NO_MEMORY;
     for (int t = 0; t < mesh->triangle_count; t++) k->part_of[t] = -1;
@@ -27,7 +37,7 @@ static mt_status flood(mt_cutting *k, int *count) {
         while (depth > 0) {
             int u = stack[--depth];
             for (int e = 3 * u; e < 3 * u + 3; e++) {
-                if (is_shore(k, e) || k->part_of[mesh->twin[e] / 3] >= 0) continue;
+                if (is_border(k, e) || k->part_of[mesh->twin[e] / 3] >= 0) continue;
                 k->part_of[mesh->twin[e] / 3] = *count;
                 stack[depth++] = mesh->twin[e] / 3;
             }
@@ -37,46 +47,46 @@ static mt_status flood(mt_cutting *k, int *count) {
     return MT_OK;
 }
 
-/* The next half-edge of the shore: around the end of this one, through the ink. */
-static int next_on_shore(const mt_cutting *k, int e) {
+/* The next half-edge of the border: around the end of this one, through the ink. */
+static int next_on_border(const mt_cutting *k, int e) {
     e = mt_mesh_after(e);
-    while (!is_shore(k, e)) e = mt_mesh_after(k->ink->mesh->twin[e]);
+    while (!is_border(k, e)) e = mt_mesh_after(k->plan->mesh->twin[e]);
     return e;
 }
 
-static mt_status trace_shore(mt_cutting *k, int first, mt_ring *ring) {
-    const mt_mesh *mesh = k->ink->mesh;
+static mt_status trace_border(mt_cutting *k, int first, mt_ring *ring) {
+    const mt_mesh *mesh = k->plan->mesh;
     int count = 0, e = first;
     do {
         k->traced[e] = true;
-        count += k->ink->drawn[mesh->start[e]] || k->end[mesh->start[e]];
-        e = next_on_shore(k, e);
+        count += k->plan->drawn[mesh->start[e]] || k->end[mesh->start[e]];
+        e = next_on_border(k, e);
     } while (e != first);
     mt_status status = mt_ring_new(k->arena, count, ring);
     if (status != MT_OK) return status;
     int made = 0;
     do {
         int v = mesh->start[e];
-        if (k->ink->drawn[v] || k->end[v]) {
-            uint8_t marks = k->ink->cut[e] ? MT_LINE : mesh->marks[e];
+        if (k->plan->drawn[v] || k->end[v]) {
+            uint8_t marks = k->plan->cut[e] ? MT_LINE : mesh->marks[e];
             ring->points[made] = mesh->points[v];
             ring->marks[made++] = k->end[v] ? marks | MT_CORNER : marks;
         }
-        e = next_on_shore(k, e);
+        e = next_on_border(k, e);
     } while (e != first);
     return MT_OK;
 }
 
-/* All shores of one part, and the outer one of them, which alone runs anticlockwise, in front. */
+/* All rings of one part; the outer one, which alone runs anticlockwise, comes first. */
 static mt_status take_part(mt_cutting *k, int number, mt_component *part) {
-    const mt_mesh *mesh = k->ink->mesh;
+    const mt_mesh *mesh = k->plan->mesh;
     int edges = 3 * mesh->triangle_count;
     *part = (mt_component){0, mt_arena_new(k->arena, (size_t)mesh->vertex_count, sizeof(mt_ring))};
     if (!part->rings) return MT_NO_MEMORY;
     for (int e = 0; e < edges; e++) {
-        if (k->part_of[e / 3] != number || !is_shore(k, e) || k->traced[e]) continue;
+        if (k->part_of[e / 3] != number || !is_border(k, e) || k->traced[e]) continue;
         mt_ring ring;
-        mt_status status = trace_shore(k, e, &ring);
+        mt_status status = trace_border(k, e, &ring);
         if (status != MT_OK) return status;
         part->rings[part->count++] = ring;
         if (mt_ring_area2(&ring) <= mt_ring_area2(&part->rings[0])) continue;
@@ -86,14 +96,14 @@ static mt_status take_part(mt_cutting *k, int number, mt_component *part) {
     return MT_OK;
 }
 
-mt_status mt_cut(const mt_stencil *ink, mt_arena *arena, mt_shape *parts, int *part_of) {
-    const mt_mesh *mesh = ink->mesh;
+mt_status mt_cut(const mt_cut_plan *plan, mt_arena *arena, mt_shape *parts, int *part_of) {
+    const mt_mesh *mesh = plan->mesh;
     size_t edges = 3 * (size_t)mesh->triangle_count;
-    mt_cutting k = {.ink = ink, .arena = arena, .part_of = part_of};
+    mt_cutting k = {.plan = plan, .arena = arena, .part_of = part_of};
     k.end = mt_arena_new(arena, (size_t)mesh->vertex_count, sizeof *k.end);
     k.traced = mt_arena_new(arena, edges, sizeof *k.traced);
     if (!k.end || !k.traced) return MT_NO_MEMORY;
-    for (size_t e = 0; e < edges; e++) k.end[mesh->start[e]] |= ink->cut[e];
+    for (size_t e = 0; e < edges; e++) k.end[mesh->start[e]] |= plan->cut[e];
     mt_shape made = {0};
     mt_status status = flood(&k, &made.count);
     if (status != MT_OK) return status;

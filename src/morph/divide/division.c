@@ -1,3 +1,15 @@
+/* Division: where A has two parts and B has them joined, B is cut, and the other way round.
+ *
+ *     A  ┌───┐ ┌────┐      B  ┌────────┐    The match of A's left ring crosses B's ink downwards at the chord ┊,
+ *        │   │ │    │         │   ┊    │    the match of its right ring upwards: B is cut there.
+ *        └───┘ └────┘         └────────┘    A match that only takes a short cut past a serif does not return: no cut.
+ *
+ * 1. Both boundaries become graphs; chords between holes that both sides have and the outside are barred (keep_common_holes).
+ * 2. All rings are matched both ways; of the chords used, all are barred but those with a return nearby (bar_chords), and all rings are
+ *    matched again with what is left.
+ * 3. Each side is cut along the chords used both ways (choose_cuts, cut_all), and the parts are paired (pair_parts).
+ * 4. While there is a useless cut, at a part without partner, it is undone, and 3 is done again (undo_cut).
+ * Invariants: parts have the ink of their side; partners are mutual. O(n m) for the matches, O(k²) alignments for k parts a round. */
 #include "morph/divide/division.h"
 
 #include <math.h>
@@ -8,53 +20,50 @@
 #include "morph/divide/cut.h"
 #include "morph/divide/ring_matching.h"
 
-#define REACH 300.0 /* of a chord, 1/1000 em */
-
-/* What aligning two parts may cost (pairing.h) for them to go together. */
+/* The most that aligning two parts may cost for them to be partners (align/pairing.h); costlier ones are left to reconcile.c. */
 #define PARTNER_MOST 2.0
 
-/* What aligning two holes may cost for them to be the same hole. */
+/* The most that aligning two holes may cost for them to be the same hole. */
 #define COMMON_MOST 0.6
 
-/* One side on its way. */
+/* The state of one side. */
 typedef struct mt_division {
     mt_boundary boundary;
-    bool *used; /* each chord, by the other side's matchers */
-    mt_match_step *
-        start; /* of each ring, where its walks on the other side's boundary start; here < 0: not known yet */
-    bool **cut;    /* of each component's mesh, the half-edges along which it is cut */
-    int **part_of; /* of each component's mesh, the part of each triangle */
+    bool *used;           /* of each chord: whether a match of the other side's rings crosses it */
+    mt_match_step *start; /* of each ring, a step of its match with the other side; here < 0: not known yet */
+    bool **cut;           /* of each component's mesh, the half-edges along which it is cut */
+    int **part_of;        /* of each component's mesh, the part of each triangle */
     mt_cut_side made;
 } mt_division;
 
-/* ---- walks --------------------------------------------------------------------------------------------------------- */
+/* ---- matches ------------------------------------------------------------------------------------------------------- */
 
-/* Walks around all rings of one side on the other's boundary, and notes which chords are used, and where the walks start. */
-static mt_status walk_on(mt_division *from, mt_division *to, const mt_cost_weights *weights,
-                         mt_arena *arena) {
+/* Matches all rings of one side with the other's boundary; notes the chords that they use, and a step of each. */
+static mt_status match_onto(mt_division *from, mt_division *to, const mt_cost_weights *weights,
+                            mt_arena *arena) {
     for (int i = 0; i < to->boundary.first_chord[to->boundary.count]; i++) to->used[i] = false;
     for (int r = 0; r < from->boundary.ring_count; r++) {
         mt_arena_place before = mt_arena_mark(arena);
-        mt_ring_match walk;
+        mt_ring_match match;
         mt_status status = mt_match_ring(&from->boundary, r, &to->boundary, weights,
-                                         from->start[r].here < 0 ? NULL : &from->start[r], arena, &walk);
+                                         from->start[r].here < 0 ? NULL : &from->start[r], arena, &match);
         if (status != MT_OK) return status;
-        from->start[r] = walk.steps[0];
-        for (int k = 0; k < walk.count; k++)
-            if (walk.steps[k].chord >= 0) to->used[walk.steps[k].chord] = true;
+        from->start[r] = match.steps[0];
+        for (int k = 0; k < match.count; k++)
+            if (match.steps[k].chord >= 0) to->used[match.steps[k].chord] = true;
         mt_arena_rewind(arena, before);
     }
     return MT_OK;
 }
 
-static mt_status walk_both_ways(mt_division *banks, const mt_cost_weights *weights, mt_arena *arena) {
-    mt_status status = walk_on(&banks[0], &banks[1], weights, arena);
-    return status == MT_OK ? walk_on(&banks[1], &banks[0], weights, arena) : status;
+static mt_status match_both_ways(mt_division *sides, const mt_cost_weights *weights, mt_arena *arena) {
+    mt_status status = match_onto(&sides[0], &sides[1], weights, arena);
+    return status == MT_OK ? match_onto(&sides[1], &sides[0], weights, arena) : status;
 }
 
 /* ---- holes that both sides have ------------------------------------------------------------------------------ */
 
-/* The holes of a shape, which ring of its boundary each is, and which of those are outer ones. */
+/* The holes of a shape, the number of each in its boundary's rings, and which of those are outer rings. */
 static mt_status holes_of(const mt_side *side, mt_arena *arena, mt_ring_list *holes, int *ring_of,
                           bool *outer) {
     int ring = 0;
@@ -73,8 +82,8 @@ static mt_status holes_of(const mt_side *side, mt_arena *arena, mt_ring_list *ho
     return MT_OK;
 }
 
-/* Bars the chords from common holes to the outside, and to one another: there is no need to open them. `common` tells of
- * each ring whether it is such a hole, and `outer` whether it is a component's outer ring. */
+/* Bars the chords from common holes to the outside, and to one another: such holes need not be opened. `common` and `outer`, of each
+ * ring: whether it is a common hole, and whether it is a component's outer ring. */
 static void bar_common(mt_boundary *b, const bool *common, const bool *outer) {
     for (int sample = 0; sample < b->count; sample++)
         for (int i = b->first_chord[sample]; i < b->first_chord[sample + 1]; i++) {
@@ -84,14 +93,14 @@ static void bar_common(mt_boundary *b, const bool *common, const bool *outer) {
         }
 }
 
-static mt_status keep_common_holes(const mt_side *a, const mt_side *b, mt_division *banks,
+static mt_status keep_common_holes(const mt_side *a, const mt_side *b, mt_division *sides,
                                    const mt_settings *settings, mt_arena *arena) {
     mt_ring_list holes[2];
     int *ring_of[2], *partner[2];
     bool *common[2], *outer[2];
     mt_status status = MT_OK;
     for (int s = 0; status == MT_OK && s < 2; s++) {
-        size_t rings = (size_t)banks[s].boundary.ring_count;
+        size_t rings = (size_t)sides[s].boundary.ring_count;
         ring_of[s] = mt_arena_new(arena, rings, sizeof(int));
         partner[s] = mt_arena_new(arena, rings, sizeof(int));
         common[s] = mt_arena_new(arena, rings, sizeof(bool));
@@ -104,31 +113,31 @@ static mt_status keep_common_holes(const mt_side *a, const mt_side *b, mt_divisi
         status = mt_pair_rings(&holes[0], &holes[1], COMMON_MOST, settings, arena, partner[0], partner[1]);
     for (int s = 0; status == MT_OK && s < 2; s++) {
         for (int i = 0; i < holes[s].count; i++) common[s][ring_of[s][i]] = partner[s][i] >= 0;
-        bar_common(&banks[s].boundary, common[s], outer[s]);
+        bar_common(&sides[s].boundary, common[s], outer[s]);
     }
     return status;
 }
 
-/* ---- which chords may become cuts ----------------------------------------------------------------------------------- */
+/* ---- chords that may become cuts ------------------------------------------------------------------------------------ */
 
-#define NEAR 0.3 /* em: how far apart two chords may be that are crossed to and fro for the same reason … */
-#define NEAR_SHARE 1.0   /* … and more where they are long, this part of their length */
-#define KNOWN_SHARE 0.25 /* of a chord's cost, once it is known that both ways are wanted */
+#define RETURN_REACH 0.3 /* em: between the ends of a chord and of its return, both together, at most … */
+#define RETURN_SHARE 1.0 /* … and this part of the chord's length more */
+#define KEPT_SHARE 0.25  /* of its cost remains of a chord that has a return */
 
-/* Whether two chords lead in opposite directions. */
-static bool lead_apart(const mt_boundary *b, int one, int other) {
+/* Whether the directions of two chords are more than a right angle apart. */
+static bool are_opposite(const mt_boundary *b, int one, int other) {
     const mt_sample_view *p = &b->views[mt_chord_source(b, one)], *q = &b->views[b->chords[one].to],
                          *u = &b->views[mt_chord_source(b, other)], *v = &b->views[b->chords[other].to];
     return (q->x - p->x) * (v->x - u->x) + (q->y - p->y) * (v->y - u->y) < 0;
 }
 
-/* The used chord that leads back nearest to another; -1 where none does near enough. */
-static int way_back(const mt_division *bank, int chord) {
-    const mt_boundary *b = &bank->boundary;
+/* The return of a chord: the nearest used chord in the opposite direction; -1 where none is near enough. */
+static int return_chord(const mt_division *division, int chord) {
+    const mt_boundary *b = &division->boundary;
     int from = mt_chord_source(b, chord), to = b->chords[chord].to, best = -1;
-    double least = NEAR + NEAR_SHARE * mt_chord_length(b, chord);
+    double least = RETURN_REACH + RETURN_SHARE * mt_chord_length(b, chord);
     for (int i = 0; i < b->first_chord[b->count]; i++) {
-        if (!bank->used[i] || b->chords[i].edge < 0 || !lead_apart(b, chord, i)) continue;
+        if (!division->used[i] || b->chords[i].edge < 0 || !are_opposite(b, chord, i)) continue;
         double apart = mt_boundary_distance(b, from, b->chords[i].to) +
                        mt_boundary_distance(b, to, mt_chord_source(b, i));
         if (apart >= least) continue;
@@ -138,15 +147,15 @@ static int way_back(const mt_division *bank, int chord) {
     return best;
 }
 
-/* How many of a chord's ends are vertices of the drawing, as those of a cut at the root of a stroke are. */
+/* How many ends of a chord are vertices of the drawing, as those of a cut at the root of a stroke are. */
 static int drawn_ends(const mt_boundary *b, int chord) {
     int c = 0, from = mt_chord_source(b, chord), to = b->chords[chord].to;
     while (b->first_sample[c + 1] <= from) c++;
     return b->drawn[c][from - b->first_sample[c]] + b->drawn[c][to - b->first_sample[c]];
 }
 
-/* Of two chords, which is the better place to cut: at vertices of the drawing, then where it is short. */
-static int neater(const mt_boundary *b, int one, int other) {
+/* The better place to cut of two chords: with more ends at vertices of the drawing, then the shorter, then the first. */
+static int better_cut(const mt_boundary *b, int one, int other) {
     int ends = drawn_ends(b, one) - drawn_ends(b, other);
     double longer = mt_chord_length(b, one) - mt_chord_length(b, other);
     if (ends != 0) return ends > 0 ? one : other;
@@ -154,52 +163,52 @@ static int neater(const mt_boundary *b, int one, int other) {
     return one < other ? one : other;
 }
 
-/* Bars all chords but those that are crossed one way and, there or nearby, the other way too: a walker that only takes a short
- * cut, past a serif, does not come back. Of the two the neater stays. */
-static mt_status bar_chords(mt_division *bank, mt_arena *arena) {
-    mt_boundary *b = &bank->boundary;
+/* Bars all chords but the used ones with a return: of the two, the better place to cut stays. */
+static mt_status bar_chords(mt_division *division, mt_arena *arena) {
+    mt_boundary *b = &division->boundary;
     int total = b->first_chord[b->count];
     bool *keep = mt_arena_new(arena, (size_t)total, sizeof *keep);
     if (!keep) return MT_NO_MEMORY;
     for (int i = 0; i < total; i++) {
         if (b->chords[i].edge < 0) continue;
-        int back = bank->used[i] ? way_back(bank, i) : -1;
+        int back = division->used[i] ? return_chord(division, i) : -1;
         if (back < 0) continue;
-        int chosen = neater(b, i, back);
+        int chosen = better_cut(b, i, back);
         keep[chosen] = keep[mt_chord_back(b, chosen)] = true;
     }
     for (int i = 0; i < total; i++)
-        if (b->chords[i].edge >= 0) b->chords[i].cost = keep[i] ? b->chords[i].cost * KNOWN_SHARE : INFINITY;
+        if (b->chords[i].edge >= 0) b->chords[i].cost = keep[i] ? b->chords[i].cost * KEPT_SHARE : INFINITY;
     return MT_OK;
 }
 
-/* Where to cut for a chord that is used: there, when it is crossed both ways; at the neater of two that are crossed to and fro
- * side by side; -1 for nowhere. */
-static int place_to_cut(const mt_division *bank, int chord) {
-    const mt_boundary *b = &bank->boundary;
-    if (bank->used[mt_chord_back(b, chord)]) return chord;
-    int back = way_back(bank, chord);
-    if (back < 0 || bank->used[mt_chord_back(b, back)] || way_back(bank, back) != chord) return -1;
-    return neater(b, chord, back);
+/* The chord to cut along for a used chord: itself, when it is used both ways; the better of two that are each other's return and used
+ * one way; -1: none. */
+static int cut_for_chord(const mt_division *division, int chord) {
+    const mt_boundary *b = &division->boundary;
+    if (division->used[mt_chord_back(b, chord)]) return chord;
+    int back = return_chord(division, chord);
+    if (back < 0 || division->used[mt_chord_back(b, back)] || return_chord(division, back) != chord)
+        return -1;
+    return better_cut(b, chord, back);
 }
 
-/* Cuts along the diagonals that are crossed both ways. */
-static mt_status choose_cuts(mt_division *bank, mt_arena *arena) {
-    const mt_boundary *b = &bank->boundary;
-    bank->cut = mt_arena_new(arena, (size_t)b->component_count, sizeof *bank->cut);
-    bank->part_of = mt_arena_new(arena, (size_t)b->component_count, sizeof *bank->part_of);
-    if (!bank->cut || !bank->part_of) return MT_NO_MEMORY;
+/* Marks the diagonals to cut along. */
+static mt_status choose_cuts(mt_division *division, mt_arena *arena) {
+    const mt_boundary *b = &division->boundary;
+    division->cut = mt_arena_new(arena, (size_t)b->component_count, sizeof *division->cut);
+    division->part_of = mt_arena_new(arena, (size_t)b->component_count, sizeof *division->part_of);
+    if (!division->cut || !division->part_of) return MT_NO_MEMORY;
     for (int c = 0; c < b->component_count; c++) {
         size_t triangles = (size_t)b->meshes[c].triangle_count;
-        bank->cut[c] = mt_arena_new(arena, 3 * triangles, sizeof(bool));
-        bank->part_of[c] = mt_arena_new(arena, triangles, sizeof(int));
-        if (!bank->cut[c] || !bank->part_of[c]) return MT_NO_MEMORY;
+        division->cut[c] = mt_arena_new(arena, 3 * triangles, sizeof(bool));
+        division->part_of[c] = mt_arena_new(arena, triangles, sizeof(int));
+        if (!division->cut[c] || !division->part_of[c]) return MT_NO_MEMORY;
         int first = b->first_chord[b->first_sample[c]], last = b->first_chord[b->first_sample[c + 1]];
         for (int i = first; i < last; i++) {
-            int place = bank->used[i] && b->chords[i].edge >= 0 ? place_to_cut(bank, i) : -1;
+            int place = division->used[i] && b->chords[i].edge >= 0 ? cut_for_chord(division, i) : -1;
             if (place < first || place >= last) continue;
-            bank->cut[c][b->chords[place].edge] = true;
-            bank->cut[c][b->meshes[c].twin[b->chords[place].edge]] = true;
+            division->cut[c][b->chords[place].edge] = true;
+            division->cut[c][b->meshes[c].twin[b->chords[place].edge]] = true;
         }
     }
     return MT_OK;
@@ -207,28 +216,28 @@ static mt_status choose_cuts(mt_division *bank, mt_arena *arena) {
 
 /* ---- parts ------------------------------------------------------------------------------------------------------------ */
 
-static mt_status cut_all(mt_division *bank, mt_arena *arena) {
-    mt_shape made = {0, mt_arena_new(arena, (size_t)bank->boundary.count, sizeof(mt_component))};
+static mt_status cut_all(mt_division *division, mt_arena *arena) {
+    mt_shape made = {0, mt_arena_new(arena, (size_t)division->boundary.count, sizeof(mt_component))};
     if (!made.components) return MT_NO_MEMORY;
-    for (int c = 0; c < bank->boundary.component_count; c++) {
-        const mt_mesh *mesh = &bank->boundary.meshes[c];
-        mt_stencil ink = {mesh, bank->boundary.drawn[c], bank->cut[c]};
+    for (int c = 0; c < division->boundary.component_count; c++) {
+        const mt_mesh *mesh = &division->boundary.meshes[c];
+        mt_cut_plan plan = {mesh, division->boundary.drawn[c], division->cut[c]};
         mt_shape parts;
-        mt_status status = mt_cut(&ink, arena, &parts, bank->part_of[c]);
+        mt_status status = mt_cut(&plan, arena, &parts, division->part_of[c]);
         if (status != MT_OK) return status;
-        for (int t = 0; t < mesh->triangle_count; t++) bank->part_of[c][t] += made.count;
+        for (int t = 0; t < mesh->triangle_count; t++) division->part_of[c][t] += made.count;
         for (int i = 0; i < parts.count; i++) made.components[made.count++] = parts.components[i];
     }
-    bank->made = (mt_cut_side){made, mt_arena_new(arena, (size_t)made.count, sizeof(int))};
-    return bank->made.partner ? MT_OK : MT_NO_MEMORY;
+    division->made = (mt_cut_side){made, mt_arena_new(arena, (size_t)made.count, sizeof(int))};
+    return division->made.partner ? MT_OK : MT_NO_MEMORY;
 }
 
-static mt_status pair_parts(mt_division *banks, const mt_hints *hints, const mt_settings *settings,
+static mt_status pair_parts(mt_division *sides, const mt_hints *hints, const mt_settings *settings,
                             mt_arena *arena) {
-    mt_cut_side *a = &banks[0].made, *b = &banks[1].made;
+    mt_cut_side *a = &sides[0].made, *b = &sides[1].made;
     mt_ring_list in_a, in_b;
-    mt_status status = mt_outer_rings(&banks[0].made.parts, banks[0].boundary.box, arena, &in_a);
-    if (status == MT_OK) status = mt_outer_rings(&banks[1].made.parts, banks[1].boundary.box, arena, &in_b);
+    mt_status status = mt_outer_rings(&sides[0].made.parts, sides[0].boundary.box, arena, &in_a);
+    if (status == MT_OK) status = mt_outer_rings(&sides[1].made.parts, sides[1].boundary.box, arena, &in_b);
     if (status != MT_OK) return status;
     for (int i = 0; i < a->parts.count; i++) a->partner[i] = -1;
     for (int i = 0; i < b->parts.count; i++) b->partner[i] = -1;
@@ -246,127 +255,131 @@ static mt_status pair_parts(mt_division *banks, const mt_hints *hints, const mt_
 /* ---- cuts that do not help ------------------------------------------------------------------------------------------------- */
 
 /* A cut between a part that has no partner and another. */
-typedef struct mt_frontier {
-    mt_division *bank, *other;
+typedef struct mt_unpaired_cut {
+    mt_division *division, *other;
     int component, edge;
-    int here, there; /* the parts; there is no partner of `here` */
+    int here, there; /* the parts; `here` has no partner */
     int64_t area;    /* of `here`, twice, grid units squared */
     double length;   /* grid units */
-} mt_frontier;
+} mt_unpaired_cut;
 
-static void set_cut(const mt_frontier *f, bool cut) {
-    f->bank->cut[f->component][f->edge] =
-        f->bank->cut[f->component][f->bank->boundary.meshes[f->component].twin[f->edge]] = cut;
+static void set_cut(const mt_unpaired_cut *f, bool cut) {
+    f->division->cut[f->component][f->edge] =
+        f->division->cut[f->component][f->division->boundary.meshes[f->component].twin[f->edge]] = cut;
 }
 
-/* Whether the two parts together go with the other's partner better than that part alone. */
-static mt_status is_better_whole(const mt_frontier *f, const mt_settings *settings, mt_arena *arena,
+/* Whether both parts together align with the other's partner at less cost than that part alone. */
+static mt_status is_better_whole(const mt_unpaired_cut *f, const mt_settings *settings, mt_arena *arena,
                                  bool *better) {
-    const mt_division *bank = f->bank;
-    const mt_mesh *mesh = &bank->boundary.meshes[f->component];
-    mt_stencil ink = {mesh, bank->boundary.drawn[f->component], bank->cut[f->component]};
-    const mt_ring *goal = &f->other->made.parts.components[bank->made.partner[f->there]].rings[0];
+    const mt_division *division = f->division;
+    const mt_mesh *mesh = &division->boundary.meshes[f->component];
+    mt_cut_plan plan = {mesh, division->boundary.drawn[f->component], division->cut[f->component]};
+    const mt_ring *goal = &f->other->made.parts.components[division->made.partner[f->there]].rings[0];
     mt_shape parts;
     double apart = 0, together = 0;
     int *part_of = mt_arena_new(arena, (size_t)mesh->triangle_count, sizeof *part_of);
     if (!part_of) return MT_NO_MEMORY;
     set_cut(f, false);
-    mt_status status = mt_cut(&ink, arena, &parts, part_of);
+    mt_status status = mt_cut(&plan, arena, &parts, part_of);
     set_cut(f, true);
     if (status != MT_OK) return status;
     const mt_ring *whole = &parts.components[part_of[f->edge / 3]].rings[0],
-                  *alone = &bank->made.parts.components[f->there].rings[0];
-    status = mt_pair_cost(alone, bank->boundary.box, goal, f->other->boundary.box, settings, arena, &apart);
+                  *alone = &division->made.parts.components[f->there].rings[0];
+    status =
+        mt_pair_cost(alone, division->boundary.box, goal, f->other->boundary.box, settings, arena, &apart);
     if (status == MT_OK)
-        status =
-            mt_pair_cost(whole, bank->boundary.box, goal, f->other->boundary.box, settings, arena, &together);
+        status = mt_pair_cost(whole, division->boundary.box, goal, f->other->boundary.box, settings, arena,
+                              &together);
     *better = together < apart;
     return status;
 }
 
-/* Whether the cut is better taken back: the other part has no partner either, or is the larger one, or gains by it. */
-static mt_status is_idle(const mt_frontier *f, const mt_settings *settings, mt_arena *arena, bool *idle) {
-    const mt_shape *parts = &f->bank->made.parts;
-    *idle = f->bank->made.partner[f->there] < 0 || f->area < mt_component_area2(&parts->components[f->there]);
-    return *idle ? MT_OK : is_better_whole(f, settings, arena, idle);
+/* Whether to undo the cut: the other part has no partner either, or is the larger one, or aligns better with this one. */
+static mt_status is_useless(const mt_unpaired_cut *f, const mt_settings *settings, mt_arena *arena,
+                            bool *useless) {
+    const mt_shape *parts = &f->division->made.parts;
+    *useless =
+        f->division->made.partner[f->there] < 0 || f->area < mt_component_area2(&parts->components[f->there]);
+    return *useless ? MT_OK : is_better_whole(f, settings, arena, useless);
 }
 
-static bool frontier_at(mt_division *banks, int side, int component, int edge, mt_frontier *f) {
-    mt_division *bank = &banks[side];
-    const mt_mesh *mesh = &bank->boundary.meshes[component];
-    if (!bank->cut[component][edge]) return false;
-    int here = bank->part_of[component][edge / 3], there = bank->part_of[component][mesh->twin[edge] / 3];
-    if (here == there || bank->made.partner[here] >= 0) return false;
+static bool unpaired_cut_at(mt_division *sides, int side, int component, int edge, mt_unpaired_cut *f) {
+    mt_division *division = &sides[side];
+    const mt_mesh *mesh = &division->boundary.meshes[component];
+    if (!division->cut[component][edge]) return false;
+    int here = division->part_of[component][edge / 3],
+        there = division->part_of[component][mesh->twin[edge] / 3];
+    if (here == there || division->made.partner[here] >= 0) return false;
     int end = mesh->start[mt_mesh_after(edge)];
-    *f = (mt_frontier){bank,
-                       &banks[1 - side],
-                       component,
-                       edge,
-                       here,
-                       there,
-                       mt_component_area2(&bank->made.parts.components[here]),
-                       sqrt((double)mt_distance2(mesh->points[mesh->start[edge]], mesh->points[end]))};
+    *f = (mt_unpaired_cut){division,
+                           &sides[1 - side],
+                           component,
+                           edge,
+                           here,
+                           there,
+                           mt_component_area2(&division->made.parts.components[here]),
+                           sqrt((double)mt_distance2(mesh->points[mesh->start[edge]], mesh->points[end]))};
     return true;
 }
 
-/* Takes back one idle cut: of the smallest part the longest. *taken: there was one. */
-static mt_status take_back(mt_division *banks, const mt_settings *settings, mt_arena *arena, bool *taken) {
-    mt_frontier best = {0}, f;
+/* Undoes one useless cut: the longest one of the smallest part. *undone: there was one. */
+static mt_status undo_cut(mt_division *sides, const mt_settings *settings, mt_arena *arena, bool *undone) {
+    mt_unpaired_cut best = {0}, f;
     for (int s = 0; s < 2; s++)
-        for (int c = 0; c < banks[s].boundary.component_count; c++)
-            for (int e = 0; e < 3 * banks[s].boundary.meshes[c].triangle_count; e++) {
-                bool idle;
-                if (!frontier_at(banks, s, c, e, &f)) continue;
-                if (best.bank && (f.area > best.area || (f.area == best.area && f.length <= best.length)))
+        for (int c = 0; c < sides[s].boundary.component_count; c++)
+            for (int e = 0; e < 3 * sides[s].boundary.meshes[c].triangle_count; e++) {
+                bool useless;
+                if (!unpaired_cut_at(sides, s, c, e, &f)) continue;
+                if (best.division && (f.area > best.area || (f.area == best.area && f.length <= best.length)))
                     continue;
-                mt_status status = is_idle(&f, settings, arena, &idle);
+                mt_status status = is_useless(&f, settings, arena, &useless);
                 if (status != MT_OK) return status;
-                if (idle) best = f;
+                if (useless) best = f;
             }
-    if (best.bank) set_cut(&best, false);
-    *taken = best.bank;
+    if (best.division) set_cut(&best, false);
+    *undone = best.division;
     return MT_OK;
 }
 
 /* ---- all of it ----------------------------------------------------------------------------------------------------------- */
 
-static mt_status start_bank(const mt_side *side, const mt_settings *settings, mt_arena *arena,
-                            mt_division *bank) {
-    mt_status status =
-        mt_boundary_of(&side->shape, side->box, settings, mt_grid_units(REACH), arena, &bank->boundary);
+static mt_status start_division(const mt_side *side, const mt_settings *settings, mt_arena *arena,
+                                mt_division *division) {
+    mt_status status = mt_boundary_of(&side->shape, side->box, settings, mt_grid_units(MT_CHORD_REACH), arena,
+                                      &division->boundary);
     if (status != MT_OK) return status;
-    size_t chords = (size_t)bank->boundary.first_chord[bank->boundary.count],
-           rings = (size_t)bank->boundary.ring_count;
-    bank->used = mt_arena_new(arena, chords, sizeof *bank->used);
-    bank->start = mt_arena_new(arena, rings, sizeof *bank->start);
-    if (!bank->used || !bank->start) return MT_NO_MEMORY;
-    for (size_t r = 0; r < rings; r++) bank->start[r].here = -1;
+    size_t chords = (size_t)division->boundary.first_chord[division->boundary.count],
+           rings = (size_t)division->boundary.ring_count;
+    division->used = mt_arena_new(arena, chords, sizeof *division->used);
+    division->start = mt_arena_new(arena, rings, sizeof *division->start);
+    if (!division->used || !division->start) return MT_NO_MEMORY;
+    for (size_t r = 0; r < rings; r++) division->start[r].here = -1;
     return MT_OK;
 }
 
-static mt_status find_cuts(mt_division *banks, const mt_cost_weights *weights, mt_arena *arena) {
-    mt_status status = walk_both_ways(banks, weights, arena);
-    for (int s = 0; status == MT_OK && s < 2; s++) status = bar_chords(&banks[s], arena);
-    if (status == MT_OK) status = walk_both_ways(banks, weights, arena);
-    for (int s = 0; status == MT_OK && s < 2; s++) status = choose_cuts(&banks[s], arena);
+static mt_status find_cuts(mt_division *sides, const mt_cost_weights *weights, mt_arena *arena) {
+    mt_status status = match_both_ways(sides, weights, arena);
+    for (int s = 0; status == MT_OK && s < 2; s++) status = bar_chords(&sides[s], arena);
+    if (status == MT_OK) status = match_both_ways(sides, weights, arena);
+    for (int s = 0; status == MT_OK && s < 2; s++) status = choose_cuts(&sides[s], arena);
     return status;
 }
 
 mt_status mt_divide(const mt_side *a, const mt_side *b, const mt_hints *hints, const mt_settings *settings,
                     mt_arena *arena, mt_cut_side *cut_a, mt_cut_side *cut_b) {
-    mt_division banks[2] = {0};
-    mt_status status = start_bank(a, settings, arena, &banks[0]);
-    if (status == MT_OK) status = start_bank(b, settings, arena, &banks[1]);
-    if (status == MT_OK) status = keep_common_holes(a, b, banks, settings, arena);
-    if (status == MT_OK) status = find_cuts(banks, &settings->match, arena);
+    mt_division sides[2] = {0};
+    mt_status status = start_division(a, settings, arena, &sides[0]);
+    if (status == MT_OK) status = start_division(b, settings, arena, &sides[1]);
+    if (status == MT_OK) status = keep_common_holes(a, b, sides, settings, arena);
+    if (status == MT_OK) status = find_cuts(sides, &settings->match, arena);
     bool changed = true;
     while (status == MT_OK && changed) {
-        for (int s = 0; status == MT_OK && s < 2; s++) status = cut_all(&banks[s], arena);
-        if (status == MT_OK) status = pair_parts(banks, hints, settings, arena);
-        if (status == MT_OK) status = take_back(banks, settings, arena, &changed);
+        for (int s = 0; status == MT_OK && s < 2; s++) status = cut_all(&sides[s], arena);
+        if (status == MT_OK) status = pair_parts(sides, hints, settings, arena);
+        if (status == MT_OK) status = undo_cut(sides, settings, arena, &changed);
     }
     if (status != MT_OK) return status;
-    *cut_a = banks[0].made;
-    *cut_b = banks[1].made;
+    *cut_a = sides[0].made;
+    *cut_b = sides[1].made;
     return MT_OK;
 }

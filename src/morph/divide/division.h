@@ -1,4 +1,4 @@
-/* Cutting two glyphs once, each where the other is apart. */
+/* Cutting two glyphs once, each where the other has separate parts. */
 #ifndef MT_MORPH_DIVIDE_DIVISION_H
 #define MT_MORPH_DIVIDE_DIVISION_H
 
@@ -8,12 +8,12 @@
 /* One side, cut into parts. */
 typedef struct mt_cut_side {
     mt_shape parts;
-    int *partner; /* of each part, that of the other side; -1 where none is */
+    int *partner; /* of each part, the other side's part that it goes with; -1: none */
 } mt_cut_side;
 
-/* Walks around every ring of each side on the boundary of the other (walk.h), cuts where matchers cross the ink both ways, pairs
- * what comes of it (as the hints say, then by pairing.h), and takes back the cuts that do not help. `hints` is not NULL.
- * MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
+/* Matches every ring of each side with the boundary of the other (ring_matching.h), cuts along chords that matches cross both ways,
+ * pairs the parts (by the hints, then by align/pairing.h), and undoes the cuts that do not help. `hints` is not NULL. MT_NO_MEMORY,
+ * MT_TOO_LARGE, MT_BAD_GEOMETRY. */
 mt_status mt_divide(const mt_side *a, const mt_side *b, const mt_hints *hints, const mt_settings *settings,
                     mt_arena *arena, mt_cut_side *cut_a, mt_cut_side *cut_b);
 

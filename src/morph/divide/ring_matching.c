@@ -1,289 +1,300 @@
+/* Dynamic programming over pairs of a ring's sample and a sample of the other glyph's whole boundary. Row i holds the least cost of
+ * reaching each sample of the boundary while the ring is at its sample i:
+ *
+ *     row i-1   ●  ●  ●  ●        from the row before: BOTH advance, or the boundary's sample WAITs
+ *                ╲ │              within the row:      ALONG the boundary's ring, the ring waits
+ *     row i     ●─▶●─▶●┄┄▶●                            over a chord (┄) or a jump, at its cost
+ *
+ * A row is settled as by a label-correcting search of shortest paths: once along each ring, then over the chords of every junction, then
+ * from each sample that became cheaper. Rows hold only samples in a window around the ring's sample; where no closed path fits in it, it
+ * is doubled. A first, open match in strides of START_STRIDE finds the step to start and end the closed one with. Invariants: each
+ * sample of the ring is in the match, in order; the first step is the last. O(n m) for n and m samples, 4 n m bytes. */
 #include "morph/divide/ring_matching.h"
 
 #include <math.h>
 
 #include "geometry/limits.h"
 
-/* How far a walker looks around: the boundary's samples whose places, each relative to its glyph's box, are farther off than so many
- * boxes in x or in y are out of its reach. Where that leads nowhere it looks twice as far; 1 is all of the box. */
-#define SIGHT 0.2
+/* The window, in boxes: samples of the boundary whose places, each relative to its glyph's box, are further off in x or in y are left
+ * out; it is doubled where no closed match fits in it. */
+#define WINDOW 0.2
 
 #define WAIT_COST ((float)MT_WAIT_COST)
 
-/* A walk that only has to tell where to start takes each so many-th sample of its ring. */
+/* The open match, which only finds a start, takes every third sample of its ring. */
 enum { START_STRIDE = 3 };
 
-/* How a cell was reached. From a chord on, it is the chord's number. */
-enum { START, STAY, BOTH, ALONG, BRIDGE };
+/* The last step to a cell; FIRST_CHORD + k is chord k. */
+enum { START, WAIT, BOTH, ALONG, FIRST_CHORD };
 
 /* A chord that is not barred. */
-typedef struct mt_crossing {
+typedef struct mt_open_chord {
     int to, chord;
     float cost;
-} mt_crossing;
+} mt_open_chord;
 
-/* A stretch of a ring of the boundary, which is in the window, or out of it, as a whole. */
-typedef struct mt_stretch {
+/* Consecutive samples of a ring of the boundary, which are in the window, or out of it, together. */
+typedef struct mt_sample_run {
     int first, end; /* its samples */
-    int gate;       /* the first of its gates; they end where the next stretch's begin */
+    int junction;   /* its first junction; they end where the next run's begin */
     double low_x, low_y, high_x, high_y;
-} mt_stretch;
+} mt_sample_run;
 
-enum { STRETCH_STOPS = 16 };
+enum { RUN_SAMPLES = 16 };
 
 typedef struct mt_ring_matcher {
     const mt_boundary *from, *to;
     mt_cost_weights weights;
     mt_columns columns;
     int first, n;    /* the samples of the ring */
-    int start;       /* the sample of the ring to start at */
-    int stride;      /* from one row to the next: 1, or each so many-th sample */
+    int start;       /* offset in the ring of the sample to start at */
+    int stride;      /* samples of the ring from one row to the next */
     int rows;        /* after the first; the last is the first sample again */
     int *before;     /* of each sample of the boundary, the one before it on its ring … */
     int *after;      /* … and the one after it */
     int *source;     /* of each chord, the sample that it leaves */
     int *first_open; /* of each sample, its crossings: open[first_open[j] … first_open[j + 1]) */
-    mt_crossing *open;
-    int gate_count, *gates;  /* the samples that have such chords */
-    int later_count, *later; /* samples whose chords are to be looked at again … */
-    bool *waits;             /* … and whether a sample is one of them */
-    double window;           /* boxes */
-    mt_stretch *stretches;   /* and one more that is empty */
-    int *first_stretch;      /* of each ring of the boundary, and one more */
-    bool *seen[2];           /* each stretch, by rows: whether it is in the window */
-    float *total[2];         /* INFINITY outside the window */
-    float *cost;  /* of this sample of the ring with each of the boundary; INFINITY outside the window */
-    int32_t *how; /* (n + 1) × to->count */
+    mt_open_chord *open;
+    int junction_count, *junctions; /* the samples that have open chords */
+    int pending_count, *pending;    /* samples whose chords have to be relaxed again … */
+    bool *is_pending;               /* … and whether a sample is among them */
+    double window;                  /* boxes */
+    mt_sample_run *runs;            /* and one more, empty */
+    int *first_run;                 /* of each ring of the boundary, and one more */
+    bool *in_window[2];             /* of the last two rows: whether each run is in the window */
+    float *total[2];                /* of the last two rows: least costs; INFINITY outside the window */
+    float *cost; /* of this row's sample of the ring with each of the boundary; INFINITY outside the window */
+    int32_t *how; /* (n + 1) × to->count: last steps */
 } mt_ring_matcher;
 
-static int32_t *row_of(const mt_ring_matcher *w, int i) {
-    return w->how + (size_t)i * (size_t)w->to->count;
+static int32_t *row_of(const mt_ring_matcher *t, int i) {
+    return t->how + (size_t)i * (size_t)t->to->count;
 }
 
-/* The sample of the ring in row i; in the last it is that of the first again. */
-static int here_at(const mt_ring_matcher *w, int i) {
-    return w->first + (i < w->rows ? w->start + i * w->stride : w->start) % w->n;
+/* The sample of the ring in row i; the last row has that of the first. */
+static int here_at(const mt_ring_matcher *t, int i) {
+    return t->first + (i < t->rows ? t->start + i * t->stride : t->start) % t->n;
 }
 
-static int stretch_count(const mt_ring_matcher *w) {
-    return w->first_stretch[w->to->ring_count];
+static int run_count(const mt_ring_matcher *t) {
+    return t->first_run[t->to->ring_count];
 }
 
-/* Notes that a sample's chords are to be looked at, if it has any. */
-static void look_later(mt_ring_matcher *w, int j) {
-    if (w->waits[j] || w->first_open[j] == w->first_open[j + 1]) return;
-    w->waits[j] = true;
-    w->later[w->later_count++] = j;
+/* Puts a sample with open chords among those pending. */
+static void mark_pending(mt_ring_matcher *t, int j) {
+    if (t->is_pending[j] || t->first_open[j] == t->first_open[j + 1]) return;
+    t->is_pending[j] = true;
+    t->pending[t->pending_count++] = j;
 }
 
-/* ---- what is in the window ---------------------------------------------------------------------------------------------- */
+/* ---- the window ---------------------------------------------------------------------------------------------------------- */
 
-static bool is_in_window(const mt_ring_matcher *w, const mt_sample_view *here, const mt_stretch *stretch) {
-    return here->x >= stretch->low_x - w->window && here->x <= stretch->high_x + w->window &&
-           here->y >= stretch->low_y - w->window && here->y <= stretch->high_y + w->window;
+static bool is_in_window(const mt_ring_matcher *t, const mt_sample_view *here, const mt_sample_run *run) {
+    return here->x >= run->low_x - t->window && here->x <= run->high_x + t->window &&
+           here->y >= run->low_y - t->window && here->y <= run->high_y + t->window;
 }
 
-/* Looks around from sample i of the ring: costs for what is in the window, none for what no longer is. */
-static void look_around(mt_ring_matcher *w, int i) {
-    const mt_sample_view *here = &w->from->views[here_at(w, i)];
-    bool *seen = w->seen[i % 2];
-    const bool *last = w->seen[(i + 1) % 2];
-    float *total = w->total[i % 2];
-    for (int s = 0; s < stretch_count(w); s++) {
-        const mt_stretch *stretch = &w->stretches[s];
-        bool now = is_in_window(w, here, stretch);
-        for (int j = stretch->first; seen[s] && !now && j < stretch->end; j++) total[j] = INFINITY;
-        for (int j = stretch->first; last[s] && !now && j < stretch->end; j++) w->cost[j] = INFINITY;
-        seen[s] = now;
-        if (now) mt_step_costs(&w->weights, here, &w->columns, stretch->first, stretch->end, w->cost);
+/* Moves the window to row i: costs for the runs in it, INFINITY for those that left it. */
+static void move_window(mt_ring_matcher *t, int i) {
+    const mt_sample_view *here = &t->from->views[here_at(t, i)];
+    bool *in_window = t->in_window[i % 2];
+    const bool *last = t->in_window[(i + 1) % 2];
+    float *total = t->total[i % 2];
+    for (int s = 0; s < run_count(t); s++) {
+        const mt_sample_run *run = &t->runs[s];
+        bool now = is_in_window(t, here, run);
+        for (int j = run->first; in_window[s] && !now && j < run->end; j++) total[j] = INFINITY;
+        for (int j = run->first; last[s] && !now && j < run->end; j++) t->cost[j] = INFINITY;
+        in_window[s] = now;
+        if (now) mt_step_costs(&t->weights, here, &t->columns, run->first, run->end, t->cost);
     }
 }
 
-static void clear_window(mt_ring_matcher *w) {
-    for (int j = 0; j < w->to->count; j++) {
-        w->total[0][j] = w->total[1][j] = INFINITY;
-        w->cost[j] = INFINITY;
+static void clear_window(mt_ring_matcher *t) {
+    for (int j = 0; j < t->to->count; j++) {
+        t->total[0][j] = t->total[1][j] = INFINITY;
+        t->cost[j] = INFINITY;
     }
-    for (int s = 0; s < stretch_count(w); s++) w->seen[0][s] = w->seen[1][s] = false;
+    for (int s = 0; s < run_count(t); s++) t->in_window[0][s] = t->in_window[1][s] = false;
 }
 
 /* ---- one row ----------------------------------------------------------------------------------------------------- */
 
-/* Along the ring of the boundary from sample j on, while the ring's walker waits, as long as that is cheaper. What it reaches has
- * its chords to look at. */
-static void go_on_from(mt_ring_matcher *w, int j, float *total, int32_t *how) {
+/* Relaxes steps along the boundary's ring from sample j on, as long as they are cheaper, and marks the samples reached as pending. */
+static void extend_from(mt_ring_matcher *t, int j, float *total, int32_t *how) {
     for (;;) {
-        int k = w->after[j];
-        float by = total[j] + WAIT_COST + w->cost[k];
+        int k = t->after[j];
+        float by = total[j] + WAIT_COST + t->cost[k];
         if (by >= total[k]) return;
         total[k] = by;
         how[k] = ALONG;
-        look_later(w, k);
+        mark_pending(t, k);
         j = k;
     }
 }
 
-static void step_along(const mt_ring_matcher *w, int j, int k, float *total, int32_t *how) {
-    float by = total[j] + WAIT_COST + w->cost[k];
+static void relax_along(const mt_ring_matcher *t, int j, int k, float *total, int32_t *how) {
+    float by = total[j] + WAIT_COST + t->cost[k];
     if (by >= total[k]) return;
     total[k] = by;
     how[k] = ALONG;
 }
 
-/* Once along a ring of the boundary that is all in the window, from its cheapest sample, to which no way along the ring can be cheaper. */
-static void go_around(const mt_ring_matcher *w, int ring, float *total, int32_t *how) {
-    int low = w->to->first_of_ring[ring], high = w->to->first_of_ring[ring + 1], least = low;
+/* Once along a ring that is all in the window, from its cheapest sample, which no path along the ring can make cheaper. */
+static void relax_full_ring(const mt_ring_matcher *t, int ring, float *total, int32_t *how) {
+    int low = t->to->first_of_ring[ring], high = t->to->first_of_ring[ring + 1], least = low;
     for (int j = low + 1; j < high; j++)
         if (total[j] < total[least]) least = j;
-    for (int j = least, k = w->after[j]; k != least; j = k, k = w->after[j]) step_along(w, j, k, total, how);
+    for (int j = least, k = t->after[j]; k != least; j = k, k = t->after[j]) relax_along(t, j, k, total, how);
 }
 
-/* Along what is in the window of a ring of the boundary: from a stretch outside the window on, so that nothing comes before its own start. */
-static void go_along(const mt_ring_matcher *w, int ring, const bool *seen, float *total, int32_t *how) {
-    int low = w->first_stretch[ring], high = w->first_stretch[ring + 1], unseen = low;
-    while (unseen < high && seen[unseen]) unseen++;
-    if (unseen == high) {
-        go_around(w, ring, total, how);
+/* Along the part of a ring in the window, from a run outside of it on, so that samples are relaxed in the ring's order. */
+static void relax_ring(const mt_ring_matcher *t, int ring, const bool *in_window, float *total,
+                       int32_t *how) {
+    int low = t->first_run[ring], high = t->first_run[ring + 1], outside = low;
+    while (outside < high && in_window[outside]) outside++;
+    if (outside == high) {
+        relax_full_ring(t, ring, total, how);
         return;
     }
-    for (int k = 1, s = unseen; k < high - low; k++) {
+    for (int k = 1, s = outside; k < high - low; k++) {
         s = s + 1 < high ? s + 1 : low;
-        if (!seen[s]) continue;
-        step_along(w, w->before[w->stretches[s].first], w->stretches[s].first, total, how);
-        for (int j = w->stretches[s].first + 1; j < w->stretches[s].end; j++)
-            step_along(w, j - 1, j, total, how);
+        if (!in_window[s]) continue;
+        relax_along(t, t->before[t->runs[s].first], t->runs[s].first, total, how);
+        for (int j = t->runs[s].first + 1; j < t->runs[s].end; j++) relax_along(t, j - 1, j, total, how);
     }
 }
 
-static void go_across(mt_ring_matcher *w, int j, float *total, int32_t *how) {
-    for (int i = w->first_open[j]; i < w->first_open[j + 1]; i++) {
-        const mt_crossing *c = &w->open[i];
+static void relax_chords(mt_ring_matcher *t, int j, float *total, int32_t *how) {
+    for (int i = t->first_open[j]; i < t->first_open[j + 1]; i++) {
+        const mt_open_chord *c = &t->open[i];
         float by = total[j] + c->cost;
-        if (by >= total[c->to] || by + w->cost[c->to] >= total[c->to]) continue;
-        total[c->to] = by + w->cost[c->to];
-        how[c->to] = BRIDGE + c->chord;
-        look_later(w, c->to);
-        go_on_from(w, c->to, total, how);
+        if (by >= total[c->to] || by + t->cost[c->to] >= total[c->to]) continue;
+        total[c->to] = by + t->cost[c->to];
+        how[c->to] = FIRST_CHORD + c->chord;
+        mark_pending(t, c->to);
+        extend_from(t, c->to, total, how);
     }
 }
 
-static void settle_row(mt_ring_matcher *w, int i) {
-    float *total = w->total[i % 2];
-    int32_t *how = row_of(w, i);
-    const bool *seen = w->seen[i % 2];
-    for (int r = 0; r < w->to->ring_count; r++) go_along(w, r, seen, total, how);
-    for (int s = 0; s < stretch_count(w); s++)
-        for (int g = w->stretches[s].gate; seen[s] && g < w->stretches[s + 1].gate; g++)
-            go_across(w, w->gates[g], total, how);
-    while (w->later_count > 0) {
-        int j = w->later[--w->later_count];
-        w->waits[j] = false;
-        go_across(w, j, total, how);
+static void settle_row(mt_ring_matcher *t, int i) {
+    float *total = t->total[i % 2];
+    int32_t *how = row_of(t, i);
+    const bool *in_window = t->in_window[i % 2];
+    for (int r = 0; r < t->to->ring_count; r++) relax_ring(t, r, in_window, total, how);
+    for (int s = 0; s < run_count(t); s++)
+        for (int g = t->runs[s].junction; in_window[s] && g < t->runs[s + 1].junction; g++)
+            relax_chords(t, t->junctions[g], total, how);
+    while (t->pending_count > 0) {
+        int j = t->pending[--t->pending_count];
+        t->is_pending[j] = false;
+        relax_chords(t, j, total, how);
     }
 }
 
-/* From the row before to a stretch, the ring's walker alone or both going on. */
-static void go_on_to(const mt_ring_matcher *w, int i, const mt_stretch *stretch) {
-    const float *restrict last = w->total[(i + 1) % 2], *restrict cost = w->cost;
-    float *restrict total = w->total[i % 2];
-    int32_t *restrict how = row_of(w, i);
-    int first = stretch->first;
-    float both = last[w->before[first]], stay = last[first] + WAIT_COST;
+/* Steps from the row before to a run: the ring advances, alone or with the boundary. */
+static void advance_ring(const mt_ring_matcher *t, int i, const mt_sample_run *run) {
+    const float *restrict last = t->total[(i + 1) % 2], *restrict cost = t->cost;
+    float *restrict total = t->total[i % 2];
+    int32_t *restrict how = row_of(t, i);
+    int first = run->first;
+    float both = last[t->before[first]], stay = last[first] + WAIT_COST;
     total[first] = (stay < both ? stay : both) + cost[first];
-    how[first] = stay < both ? STAY : BOTH;
-    for (int j = first + 1; j < stretch->end; j++) {
+    how[first] = stay < both ? WAIT : BOTH;
+    for (int j = first + 1; j < run->end; j++) {
         float waits = last[j] + WAIT_COST;
         total[j] = (waits < last[j - 1] ? waits : last[j - 1]) + cost[j];
-        how[j] = waits < last[j - 1] ? STAY : BOTH;
+        how[j] = waits < last[j - 1] ? WAIT : BOTH;
     }
 }
 
-static void next_row(mt_ring_matcher *w, int i) {
-    look_around(w, i);
-    for (int s = 0; s < stretch_count(w); s++)
-        if (w->seen[i % 2][s]) go_on_to(w, i, &w->stretches[s]);
-    settle_row(w, i);
+static void fill_row(mt_ring_matcher *t, int i) {
+    move_window(t, i);
+    for (int s = 0; s < run_count(t); s++)
+        if (t->in_window[i % 2][s]) advance_ring(t, i, &t->runs[s]);
+    settle_row(t, i);
 }
 
-/* ---- a lap ------------------------------------------------------------------------------------------------------- */
+/* ---- a match ------------------------------------------------------------------------------------------------------- */
 
-/* Fills the table for once around the ring, from any sample of the boundary, or from `there` when it is not -1. */
-static void fill(mt_ring_matcher *w, int there) {
-    clear_window(w);
-    look_around(w, 0);
-    for (int j = 0; j < w->to->count; j++) {
-        w->total[0][j] = there < 0 || there == j ? w->cost[j] : INFINITY;
-        row_of(w, 0)[j] = START;
+/* Fills the table, from any sample of the boundary, or from `there` when it is not -1. */
+static void fill(mt_ring_matcher *t, int there) {
+    clear_window(t);
+    move_window(t, 0);
+    for (int j = 0; j < t->to->count; j++) {
+        t->total[0][j] = there < 0 || there == j ? t->cost[j] : INFINITY;
+        row_of(t, 0)[j] = START;
     }
-    settle_row(w, 0);
-    for (int i = 1; i <= w->rows; i++) next_row(w, i);
+    settle_row(t, 0);
+    for (int i = 1; i <= t->rows; i++) fill_row(t, i);
 }
 
-static int cheapest_end(const mt_ring_matcher *w) {
-    const float *total = w->total[w->rows % 2];
+static int cheapest_end(const mt_ring_matcher *t) {
+    const float *total = t->total[t->rows % 2];
     int best = 0;
-    for (int j = 1; j < w->to->count; j++)
+    for (int j = 1; j < t->to->count; j++)
         if (total[j] < total[best]) best = j;
     return best;
 }
 
-/* The end of a lap, from any sample when `there` is -1, with as much in the window as it takes. */
-static int walk_lap(mt_ring_matcher *w, int there, int stride) {
-    w->stride = stride;
-    w->rows = (w->n + stride - 1) / stride;
-    for (;; w->window *= 2) {
-        fill(w, there);
-        int end = there < 0 ? cheapest_end(w) : there;
-        if (w->total[w->rows % 2][end] < INFINITY) return end;
+/* The last sample of a match, from any sample when `there` is -1; the window grows until there is one. */
+static int match_around(mt_ring_matcher *t, int there, int stride) {
+    t->stride = stride;
+    t->rows = (t->n + stride - 1) / stride;
+    for (;; t->window *= 2) {
+        fill(t, there);
+        int end = there < 0 ? cheapest_end(t) : there;
+        if (t->total[t->rows % 2][end] < INFINITY) return end;
     }
 }
 
-/* Reads the way back from the end; writes it when there is room, and returns how many steps it has. */
-static int read_back(const mt_ring_matcher *w, int end, mt_match_step *steps, int room) {
-    int count = 0, i = w->rows, j = end;
+/* Counts the steps of the path to `end`, and writes them when `steps` is not NULL. */
+static int read_path(const mt_ring_matcher *t, int end, mt_match_step *steps, int room) {
+    int count = 0, i = t->rows, j = end;
     for (;;) {
-        int32_t how = row_of(w, i)[j];
-        int here = here_at(w, i);
-        if (steps) steps[room - 1 - count] = (mt_match_step){here, j, how >= BRIDGE ? how - BRIDGE : -1};
+        int32_t how = row_of(t, i)[j];
+        int here = here_at(t, i);
+        if (steps)
+            steps[room - 1 - count] = (mt_match_step){here, j, how >= FIRST_CHORD ? how - FIRST_CHORD : -1};
         count++;
         if (how == START) return count;
-        if (how == STAY || how == BOTH) i--;
-        if (how == BOTH || how == ALONG) j = w->before[j];
-        if (how >= BRIDGE) j = w->source[how - BRIDGE];
+        if (how == WAIT || how == BOTH) i--;
+        if (how == BOTH || how == ALONG) j = t->before[j];
+        if (how >= FIRST_CHORD) j = t->source[how - FIRST_CHORD];
     }
 }
 
-/* ---- getting ready ----------------------------------------------------------------------------------------------- */
+/* ---- the matcher ------------------------------------------------------------------------------------------------- */
 
-/* The rings of the boundary as chains of samples. */
-static void chain_samples(mt_ring_matcher *w) {
-    for (int r = 0; r < w->to->ring_count; r++) {
-        int low = w->to->first_of_ring[r], high = w->to->first_of_ring[r + 1];
+/* Links the samples of each ring of the boundary. */
+static void link_neighbours(mt_ring_matcher *t) {
+    for (int r = 0; r < t->to->ring_count; r++) {
+        int low = t->to->first_of_ring[r], high = t->to->first_of_ring[r + 1];
         for (int j = low; j < high; j++) {
-            w->before[j] = j > low ? j - 1 : high - 1;
-            w->after[j] = j + 1 < high ? j + 1 : low;
+            t->before[j] = j > low ? j - 1 : high - 1;
+            t->after[j] = j + 1 < high ? j + 1 : low;
         }
     }
 }
 
-static void list_open_chords(mt_ring_matcher *w) {
+static void list_open_chords(mt_ring_matcher *t) {
     int open = 0;
-    for (int j = 0; j < w->to->count; j++) {
-        w->first_open[j] = open;
-        for (int b = w->to->first_chord[j]; b < w->to->first_chord[j + 1]; b++) {
-            w->source[b] = j;
-            const mt_chord *chord = &w->to->chords[b];
-            if (chord->cost < INFINITY) w->open[open++] = (mt_crossing){chord->to, b, (float)chord->cost};
+    for (int j = 0; j < t->to->count; j++) {
+        t->first_open[j] = open;
+        for (int b = t->to->first_chord[j]; b < t->to->first_chord[j + 1]; b++) {
+            t->source[b] = j;
+            const mt_chord *chord = &t->to->chords[b];
+            if (chord->cost < INFINITY) t->open[open++] = (mt_open_chord){chord->to, b, (float)chord->cost};
         }
-        if (open > w->first_open[j]) w->gates[w->gate_count++] = j;
+        if (open > t->first_open[j]) t->junctions[t->junction_count++] = j;
     }
-    w->first_open[w->to->count] = open;
+    t->first_open[t->to->count] = open;
 }
 
-static mt_stretch stretch_of(const mt_ring_matcher *w, int first, int end) {
-    mt_stretch made = {first, end, 0, INFINITY, INFINITY, -INFINITY, -INFINITY};
+static mt_sample_run run_at(const mt_ring_matcher *t, int first, int end) {
+    mt_sample_run made = {first, end, 0, INFINITY, INFINITY, -INFINITY, -INFINITY};
     for (int j = first; j < end; j++) {
-        const mt_sample_view *view = &w->to->views[j];
+        const mt_sample_view *view = &t->to->views[j];
         made.low_x = fmin(made.low_x, view->x);
         made.low_y = fmin(made.low_y, view->y);
         made.high_x = fmax(made.high_x, view->x);
@@ -292,67 +303,67 @@ static mt_stretch stretch_of(const mt_ring_matcher *w, int first, int end) {
     return made;
 }
 
-static void list_stretches(mt_ring_matcher *w) {
-    int made = 0, gate = 0;
-    for (int r = 0; r < w->to->ring_count; r++) {
-        int high = w->to->first_of_ring[r + 1];
-        w->first_stretch[r] = made;
-        for (int j = w->to->first_of_ring[r]; j < high; j += STRETCH_STOPS) {
-            mt_stretch *stretch = &w->stretches[made++];
-            *stretch = stretch_of(w, j, j + STRETCH_STOPS < high ? j + STRETCH_STOPS : high);
-            stretch->gate = gate;
-            while (gate < w->gate_count && w->gates[gate] < stretch->end) gate++;
+static void list_runs(mt_ring_matcher *t) {
+    int made = 0, junction = 0;
+    for (int r = 0; r < t->to->ring_count; r++) {
+        int high = t->to->first_of_ring[r + 1];
+        t->first_run[r] = made;
+        for (int j = t->to->first_of_ring[r]; j < high; j += RUN_SAMPLES) {
+            mt_sample_run *run = &t->runs[made++];
+            *run = run_at(t, j, j + RUN_SAMPLES < high ? j + RUN_SAMPLES : high);
+            run->junction = junction;
+            while (junction < t->junction_count && t->junctions[junction] < run->end) junction++;
         }
     }
-    w->first_stretch[w->to->ring_count] = made;
-    w->stretches[made].gate = gate;
+    t->first_run[t->to->ring_count] = made;
+    t->runs[made].junction = junction;
 }
 
-static mt_status make_stretches(mt_ring_matcher *w, mt_arena *arena) {
-    size_t rings = (size_t)w->to->ring_count, most = (size_t)w->to->count / STRETCH_STOPS + rings + 1;
-    w->stretches = mt_arena_new(arena, most, sizeof *w->stretches);
-    w->first_stretch = mt_arena_new(arena, rings + 1, sizeof *w->first_stretch);
-    w->seen[0] = mt_arena_new(arena, 2 * most, sizeof(bool));
-    if (!w->stretches || !w->first_stretch || !w->seen[0]) return MT_NO_MEMORY;
-    w->seen[1] = w->seen[0] + most;
-    list_stretches(w);
+static mt_status make_runs(mt_ring_matcher *t, mt_arena *arena) {
+    size_t rings = (size_t)t->to->ring_count, most = (size_t)t->to->count / RUN_SAMPLES + rings + 1;
+    t->runs = mt_arena_new(arena, most, sizeof *t->runs);
+    t->first_run = mt_arena_new(arena, rings + 1, sizeof *t->first_run);
+    t->in_window[0] = mt_arena_new(arena, 2 * most, sizeof(bool));
+    if (!t->runs || !t->first_run || !t->in_window[0]) return MT_NO_MEMORY;
+    t->in_window[1] = t->in_window[0] + most;
+    list_runs(t);
     return MT_OK;
 }
 
-static mt_status start_walker(const mt_boundary *from, int ring, const mt_boundary *to,
-                              const mt_cost_weights *weights, mt_arena *arena, mt_ring_matcher *w) {
-    *w = (mt_ring_matcher){
-        .from = from, .to = to, .weights = *weights, .first = from->first_of_ring[ring], .window = SIGHT};
-    w->n = from->first_of_ring[ring + 1] - w->first;
-    size_t m = (size_t)to->count, cells = ((size_t)w->n + 1) * m, chords = (size_t)to->first_chord[to->count];
+static mt_status start_matcher(const mt_boundary *from, int ring, const mt_boundary *to,
+                               const mt_cost_weights *weights, mt_arena *arena, mt_ring_matcher *t) {
+    *t = (mt_ring_matcher){
+        .from = from, .to = to, .weights = *weights, .first = from->first_of_ring[ring], .window = WINDOW};
+    t->n = from->first_of_ring[ring + 1] - t->first;
+    size_t m = (size_t)to->count, cells = ((size_t)t->n + 1) * m, chords = (size_t)to->first_chord[to->count];
     if (cells > MT_ALIGNMENT_MAX) return MT_TOO_LARGE;
     int *numbers = mt_arena_new(arena, 5 * m + 1 + chords, sizeof *numbers);
-    w->open = mt_arena_new(arena, chords, sizeof *w->open);
-    w->waits = mt_arena_new(arena, m, sizeof *w->waits);
-    w->total[0] = mt_arena_new(arena, 2 * m, sizeof(float));
-    w->cost = mt_arena_new(arena, m, sizeof *w->cost);
-    w->how = mt_arena_new(arena, cells, sizeof *w->how);
-    if (!numbers || !w->open || !w->waits || !w->total[0] || !w->cost || !w->how) return MT_NO_MEMORY;
-    w->before = numbers;
-    w->after = w->before + m;
-    w->gates = w->after + m;
-    w->later = w->gates + m;
-    w->first_open = w->later + m;
-    w->source = w->first_open + m + 1;
-    w->total[1] = w->total[0] + m;
-    chain_samples(w);
-    list_open_chords(w);
-    mt_status status = make_stretches(w, arena);
-    return status == MT_OK ? mt_columns_of(w->to->views, w->to->count, arena, &w->columns) : status;
+    t->open = mt_arena_new(arena, chords, sizeof *t->open);
+    t->is_pending = mt_arena_new(arena, m, sizeof *t->is_pending);
+    t->total[0] = mt_arena_new(arena, 2 * m, sizeof(float));
+    t->cost = mt_arena_new(arena, m, sizeof *t->cost);
+    t->how = mt_arena_new(arena, cells, sizeof *t->how);
+    if (!numbers || !t->open || !t->is_pending || !t->total[0] || !t->cost || !t->how) return MT_NO_MEMORY;
+    t->before = numbers;
+    t->after = t->before + m;
+    t->junctions = t->after + m;
+    t->pending = t->junctions + m;
+    t->first_open = t->pending + m;
+    t->source = t->first_open + m + 1;
+    t->total[1] = t->total[0] + m;
+    link_neighbours(t);
+    list_open_chords(t);
+    mt_status status = make_runs(t, arena);
+    return status == MT_OK ? mt_columns_of(t->to->views, t->to->count, arena, &t->columns) : status;
 }
 
-/* The surest step of a walk: where the two samples are most alike. */
-static mt_match_step surest(const mt_ring_matcher *w, const mt_match_step *steps, int count) {
+/* The step of least cost. */
+static mt_match_step cheapest(const mt_ring_matcher *t, const mt_match_step *steps, int count) {
     mt_match_step best = steps[0];
     double least = INFINITY;
     for (int k = 0; k < count; k++) {
         double cost =
-            mt_step_cost(&w->weights, &w->from->views[steps[k].here], &w->to->views[steps[k].there]);
+            mt_step_cost(&t->weights, &t->from->views[steps[k].here], &t->to->views[steps[k].there]);
         if (cost >= least) continue;
         least = cost;
         best = steps[k];
@@ -360,30 +371,30 @@ static mt_match_step surest(const mt_ring_matcher *w, const mt_match_step *steps
     return best;
 }
 
-/* Where a closed walk may start: where an open one, in longer strides, is surest. */
-static mt_status find_start(mt_ring_matcher *w, mt_arena *arena, mt_match_step *start) {
-    int end = walk_lap(w, -1, START_STRIDE), count = read_back(w, end, NULL, 0);
+/* A step to start a closed match with: the cheapest of an open one in longer strides. */
+static mt_status find_start(mt_ring_matcher *t, mt_arena *arena, mt_match_step *start) {
+    int end = match_around(t, -1, START_STRIDE), count = read_path(t, end, NULL, 0);
     mt_match_step *steps = mt_arena_new(arena, (size_t)count, sizeof *steps);
     if (!steps) return MT_NO_MEMORY;
-    read_back(w, end, steps, count);
-    *start = surest(w, steps, count);
+    read_path(t, end, steps, count);
+    *start = cheapest(t, steps, count);
     return MT_OK;
 }
 
 mt_status mt_match_ring(const mt_boundary *from, int ring, const mt_boundary *to,
                         const mt_cost_weights *weights, const mt_match_step *start, mt_arena *arena,
-                        mt_ring_match *walk) {
-    mt_ring_matcher w;
+                        mt_ring_match *match) {
+    mt_ring_matcher t;
     mt_match_step first = start ? *start : (mt_match_step){0};
-    mt_status status = start_walker(from, ring, to, weights, arena, &w);
-    if (status == MT_OK && !start) status = find_start(&w, arena, &first);
+    mt_status status = start_matcher(from, ring, to, weights, arena, &t);
+    if (status == MT_OK && !start) status = find_start(&t, arena, &first);
     if (status != MT_OK) return status;
-    w.start = first.here - w.first;
-    walk_lap(&w, first.there, 1);
-    *walk = (mt_ring_match){.count = read_back(&w, first.there, NULL, 0)};
-    walk->cost = (double)w.total[w.rows % 2][first.there] / walk->count;
-    walk->steps = mt_arena_new(arena, (size_t)walk->count, sizeof *walk->steps);
-    if (!walk->steps) return MT_NO_MEMORY;
-    read_back(&w, first.there, walk->steps, walk->count);
+    t.start = first.here - t.first;
+    match_around(&t, first.there, 1);
+    *match = (mt_ring_match){.count = read_path(&t, first.there, NULL, 0)};
+    match->cost = (double)t.total[t.rows % 2][first.there] / match->count;
+    match->steps = mt_arena_new(arena, (size_t)match->count, sizeof *match->steps);
+    if (!match->steps) return MT_NO_MEMORY;
+    read_path(&t, first.there, match->steps, match->count);
     return MT_OK;
 }

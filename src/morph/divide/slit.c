@@ -1,3 +1,12 @@
+/* Opening a hole that the partner does not have, by a cut without width to a ring that the partner has.
+ *
+ *     A ┌─────────┐      B ┌──────┐         A slit  ┌─────────┐
+ *       │  ┌───┐  │        │  ┌───┘                 │  ┌───┐──│   slit: a chord from the hole to the outer ring
+ *       │  └───┘  │        │  └───┐                 │  └───┘──│   there and back; A has one ring now, like B
+ *       └─────────┘        └──────┘                 └─────────┘
+ *
+ * The shortest chord of each of CANDIDATES runs of the hole is tried; the one that lowers the cost of aligning with the counterpart
+ * most is taken, and none where no chord lowers it. O(CANDIDATES) cuts and alignments. */
 #include "morph/divide/slit.h"
 
 #include <math.h>
@@ -6,28 +15,27 @@
 #include "morph/divide/boundary_graph.h"
 #include "morph/divide/cut.h"
 
-#define REACH 300.0 /* of a slit, 1/1000 em */
-#define TRIES 12    /* stretches of the hole, of each of which the shortest slit is looked at */
+#define CANDIDATES 12 /* runs of the hole's samples, one slit for each */
 
-typedef struct mt_tries {
+typedef struct mt_slit_candidates {
     int count;
-    int chords[TRIES];
-} mt_tries;
+    int chords[CANDIDATES];
+} mt_slit_candidates;
 
-/* The shortest chord of each stretch of the hole to a ring that has a counterpart. */
-static mt_tries shortest(const mt_boundary *b, int hole, const mt_ring **counterpart) {
-    mt_tries tries = {0};
+/* The shortest chord from each run of the hole's samples to a ring that has a counterpart. */
+static mt_slit_candidates shortest(const mt_boundary *b, int hole, const mt_ring **counterpart) {
+    mt_slit_candidates candidates = {0};
     int first = b->first_of_ring[hole], count = b->first_of_ring[hole + 1] - first;
-    for (int stretch = 0; stretch < TRIES; stretch++) {
-        int from = first + stretch * count / TRIES, to = first + (stretch + 1) * count / TRIES, best = -1;
+    for (int run = 0; run < CANDIDATES; run++) {
+        int from = first + run * count / CANDIDATES, to = first + (run + 1) * count / CANDIDATES, best = -1;
         for (int i = b->first_chord[from]; i < b->first_chord[to]; i++) {
             int ring = mt_boundary_ring(b, b->chords[i].to);
             if (ring == hole || !counterpart[ring]) continue;
             if (best < 0 || mt_chord_length(b, i) < mt_chord_length(b, best)) best = i;
         }
-        if (best >= 0) tries.chords[tries.count++] = best;
+        if (best >= 0) candidates.chords[candidates.count++] = best;
     }
-    return tries;
+    return candidates;
 }
 
 /* The component cut along one chord, and the ring that the cut is on. */
@@ -39,11 +47,11 @@ static mt_status cut_along(const mt_boundary *b, int chord, mt_arena *arena, mt_
     if (!cut || !part_of) return MT_NO_MEMORY;
     int edge = b->chords[chord].edge;
     cut[edge] = cut[mesh->twin[edge]] = true;
-    mt_stencil ink = {mesh, b->drawn[0], cut};
+    mt_cut_plan plan = {mesh, b->drawn[0], cut};
     mt_shape parts;
-    mt_status status = mt_cut(&ink, arena, &parts, part_of);
+    mt_status status = mt_cut(&plan, arena, &parts, part_of);
     if (status != MT_OK) return status;
-    *opened = parts.components[0]; /* between two rings, a cut parts nothing */
+    *opened = parts.components[0]; /* a cut between two rings leaves one part */
     *ring = &opened->rings[0];
     for (int r = 0; r < opened->count; r++)
         for (int i = 0; i < opened->rings[r].count; i++)
@@ -56,16 +64,17 @@ mt_status mt_slit(const mt_slit_case *slit, int hole, const mt_settings *setting
                   mt_component *opened, bool *done) {
     mt_boundary boundary;
     mt_shape whole = {1, (mt_component *)slit->component};
-    mt_status status = mt_boundary_of(&whole, slit->box, settings, mt_grid_units(REACH), arena, &boundary);
+    mt_status status =
+        mt_boundary_of(&whole, slit->box, settings, mt_grid_units(MT_CHORD_REACH), arena, &boundary);
     if (status != MT_OK) return status;
-    mt_tries tries = shortest(&boundary, hole, slit->counterpart);
+    mt_slit_candidates candidates = shortest(&boundary, hole, slit->counterpart);
     double least = INFINITY;
-    for (int i = 0; status == MT_OK && i < tries.count; i++) {
-        int to = mt_boundary_ring(&boundary, boundary.chords[tries.chords[i]].to);
+    for (int i = 0; status == MT_OK && i < candidates.count; i++) {
+        int to = mt_boundary_ring(&boundary, boundary.chords[candidates.chords[i]].to);
         const mt_ring *goal = slit->counterpart[to], *ring;
         mt_component made;
         double before = 0, after = 0;
-        status = cut_along(&boundary, tries.chords[i], arena, &made, &ring);
+        status = cut_along(&boundary, candidates.chords[i], arena, &made, &ring);
         if (status == MT_OK)
             status = mt_pair_cost(&slit->component->rings[to], slit->box, goal, slit->other_box, settings,
                                   arena, &before);

@@ -4,17 +4,17 @@
 
 #include "morph/align/pairing.h"
 
-/* A component on its way to a partner: what each of its rings goes with there. */
+/* A component with a partner, and the partner's ring for each of its rings. */
 typedef struct mt_slit_case {
     const mt_component *component;
     mt_box box;
-    const mt_ring **counterpart; /* of each ring of the component; NULL where it has none */
+    const mt_ring **counterpart; /* of each ring of the component; NULL: none */
     mt_box other_box;
 } mt_slit_case;
 
-/* Slits the component open between hole `hole`, which has no counterpart, and a ring that has one, where what comes of it goes
- * with that counterpart better than the ring alone did: on the other side the hole is open there. *done says whether there
- * is such a place; then *opened is the component with one ring less. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
+/* Slits the component open between hole `hole`, which has no counterpart, and a ring that has one, where the joined ring aligns with
+ * that counterpart at less cost than the ring alone: the other side has the hole open there. *done: there is such a place, and
+ * *opened is the component with one ring less. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
 mt_status mt_slit(const mt_slit_case *slit, int hole, const mt_settings *settings, mt_arena *arena,
                   mt_component *opened, bool *done);
 
