@@ -90,38 +90,33 @@ mt_point point_of(const IntPoint &p) {
     return {static_cast<int32_t>(p.X), static_cast<int32_t>(p.Y)};
 }
 
-mt_status ring_of(const Path &path, const Marks &marks, mt_arena *arena, mt_ring *ring) {
+mt_status ring_of(const Path &path, mt_arena *arena, mt_ring *ring) {
     mt_status status = mt_ring_new(arena, static_cast<int>(path.size()), ring);
     if (status != MT_OK) return status;
     auto first = std::min_element(path.begin(), path.end(), [](const IntPoint &p, const IntPoint &q) {
         return lower(point_of(p), point_of(q));
     });
     size_t offset = static_cast<size_t>(first - path.begin());
-    for (size_t k = 0; k < path.size(); k++) {
-        mt_point p = point_of(path[(offset + k) % path.size()]),
-                 q = point_of(path[(offset + k + 1) % path.size()]);
-        ring->points[k] = p;
-        ring->marks[k] = marks.of_point(p) | marks.of_edge(p, q);
-    }
+    for (size_t k = 0; k < path.size(); k++) ring->points[k] = point_of(path[(offset + k) % path.size()]);
     return MT_OK;
 }
 
 /* One outer polygon of the tree with its holes. */
-mt_status component_of(const PolyNode &outer, const Marks &marks, mt_arena *arena, mt_component *component) {
+mt_status component_of(const PolyNode &outer, mt_arena *arena, mt_component *component) {
     size_t count = outer.Childs.size() + 1;
     *component = {static_cast<int>(count),
                   static_cast<mt_ring *>(mt_arena_new(arena, count, sizeof(mt_ring)))};
     if (!component->rings) return MT_NO_MEMORY;
-    mt_status status = ring_of(outer.Contour, marks, arena, &component->rings[0]);
+    mt_status status = ring_of(outer.Contour, arena, &component->rings[0]);
     for (size_t i = 1; status == MT_OK && i < count; i++)
-        status = ring_of(outer.Childs[i - 1]->Contour, marks, arena, &component->rings[i]);
+        status = ring_of(outer.Childs[i - 1]->Contour, arena, &component->rings[i]);
     if (status != MT_OK) return status;
     std::sort(component->rings + 1, component->rings + count,
               [](const mt_ring &a, const mt_ring &b) { return lower(a.points[0], b.points[0]); });
     return MT_OK;
 }
 
-mt_status shape_of(const PolyTree &tree, const Marks &marks, mt_arena *arena, mt_shape *shape) {
+mt_status shape_of(const PolyTree &tree, mt_arena *arena, mt_shape *shape) {
     std::vector<const PolyNode *> outers;
     for (const PolyNode *node = tree.GetFirst(); node; node = node->GetNext())
         if (!node->IsHole()) outers.push_back(node);
@@ -129,7 +124,7 @@ mt_status shape_of(const PolyTree &tree, const Marks &marks, mt_arena *arena, mt
     shape->components = static_cast<mt_component *>(mt_arena_new(arena, outers.size(), sizeof(mt_component)));
     if (!shape->components) return MT_NO_MEMORY;
     for (size_t i = 0; i < outers.size(); i++) {
-        mt_status status = component_of(*outers[i], marks, arena, &shape->components[i]);
+        mt_status status = component_of(*outers[i], arena, &shape->components[i]);
         if (status != MT_OK) return status;
     }
     std::sort(shape->components, shape->components + shape->count,
@@ -139,20 +134,41 @@ mt_status shape_of(const PolyTree &tree, const Marks &marks, mt_arena *arena, mt
     return MT_OK;
 }
 
+void mark(const Marks &marks, mt_ring *ring) {
+    for (int k = 0; k < ring->count; k++) {
+        mt_point p = ring->points[k], q = ring->points[(k + 1) % ring->count];
+        ring->marks[k] = marks.of_point(p) | marks.of_edge(p, q);
+    }
+}
+
 } // namespace
 
-extern "C" mt_status mt_union(const mt_rings *rings, mt_rule rule, mt_arena *arena, mt_shape *shape) try {
+extern "C" mt_status mt_union_unmarked(const mt_rings *rings, mt_rule rule, mt_arena *arena,
+                                       mt_shape *shape) try {
     Clipper clipper;
     PolyTree tree;
     clipper.AddPaths(paths_of(rings), ptSubject, true);
     PolyFillType filled = rule == MT_POSITIVE ? pftPositive : pftNonZero;
     clipper.Execute(ctUnion, tree, filled, filled);
     mt_shape made;
-    mt_status status = shape_of(tree, Marks(rings), arena, &made);
+    mt_status status = shape_of(tree, arena, &made);
     if (status == MT_OK) *shape = made;
     return status;
 } catch (const clipperException &) {
     return MT_TOO_LARGE;
+} catch (const std::bad_alloc &) {
+    return MT_NO_MEMORY;
+}
+
+extern "C" mt_status mt_union(const mt_rings *rings, mt_rule rule, mt_arena *arena, mt_shape *shape) try {
+    const Marks marks(rings);
+    mt_shape made;
+    mt_status status = mt_union_unmarked(rings, rule, arena, &made);
+    if (status != MT_OK) return status;
+    for (int k = 0; k < made.count; k++)
+        for (int i = 0; i < made.components[k].count; i++) mark(marks, &made.components[k].rings[i]);
+    *shape = made;
+    return MT_OK;
 } catch (const std::bad_alloc &) {
     return MT_NO_MEMORY;
 }

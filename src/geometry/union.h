@@ -14,6 +14,9 @@ typedef enum mt_rule { MT_NONZERO, MT_POSITIVE } mt_rule;
  * do the holes of each. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_union(const mt_rings *rings, mt_rule rule, mt_arena *arena, mt_shape *shape);
 
+/* The same without marks: all are 0. For who only counts or measures: finding marks takes long. As mt_union. */
+mt_status mt_union_unmarked(const mt_rings *rings, mt_rule rule, mt_arena *arena, mt_shape *shape);
+
 /* The nonzero union of an outline flattened within `tolerance` grid units, and whether the outline was its own
  * union already, but for running the other way round as a whole: whether no area was covered twice. As mt_flatten and mt_union. */
 mt_status mt_outline_resolve(const mt_outline *outline, double tolerance, mt_arena *arena, mt_shape *shape,

@@ -76,6 +76,25 @@ static void contours_by_the_positive_rule(void **state) {
     assert_int_equal(shape.count, 0);
 }
 
+/* What mt_union_unmarked makes is the same but for the marks, of which it has none. */
+static void without_marks(void **state) {
+    (void)state;
+    for (int i = 0; i < corpus.count; i++) {
+        mt_subject subject = {corpus.shapes[i].name, -1, {&corpus.shapes[i].rings}};
+        mt_shape marked = union_of(&corpus.shapes[i].rings), plain;
+        mt_assert_ok(mt_union_unmarked(&corpus.shapes[i].rings, MT_NONZERO, &arena, &plain));
+        mt_rings all = mt_test_all_rings(&arena, &marked), bare = mt_test_all_rings(&arena, &plain);
+        mt_require(marked.count == plain.count && all.count == bare.count, &subject);
+        for (int r = 0; r < all.count; r++) {
+            mt_require(all.rings[r].count == bare.rings[r].count, &subject);
+            for (int k = 0; k < all.rings[r].count; k++) {
+                mt_require(mt_point_equal(all.rings[r].points[k], bare.rings[r].points[k]), &subject);
+                mt_require(bare.rings[r].marks[k] == 0, &subject);
+            }
+        }
+    }
+}
+
 static void nothing(void **state) {
     (void)state;
     mt_rings none = {0};
@@ -194,6 +213,7 @@ int main(void) {
         cmocka_unit_test(drawings),
         cmocka_unit_test(overlaps),
         cmocka_unit_test(contours_by_the_positive_rule),
+        cmocka_unit_test(without_marks),
         cmocka_unit_test(nothing),
         cmocka_unit_test(corpus_in_order),
         cmocka_unit_test(same_whatever_the_order),

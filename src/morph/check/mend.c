@@ -29,7 +29,7 @@ mt_status mt_mend_compare(mt_mending *m, bool *better) {
 
 mt_status mt_mend_union(mt_mending *m, const mt_rings *rings, mt_rule rule, mt_shape *shape) {
     m->effort -= mt_rings_corners(rings);
-    return mt_union(rings, rule, m->arena, shape);
+    return mt_union_unmarked(rings, rule, m->arena, shape);
 }
 
 mt_status mt_mend_shape(mt_mending *m, double t, mt_rule rule, mt_shape *shape) {

@@ -22,7 +22,7 @@ bool mt_mend_goes_on(const mt_mending *m);
 /* *better: the morph, changed since, strays less; m->by says how then. As mt_morph_blend. */
 mt_status mt_mend_compare(mt_mending *m, bool *better);
 
-/* A union, and the ink at a place, that the effort is charged with. As mt_union and mt_morph_blend. */
+/* A union, and the ink at a place, that the effort is charged with, both without marks. As mt_union_unmarked and mt_morph_blend. */
 mt_status mt_mend_union(mt_mending *m, const mt_rings *rings, mt_rule rule, mt_shape *shape);
 mt_status mt_mend_shape(mt_mending *m, double t, mt_rule rule, mt_shape *shape);
 

@@ -79,13 +79,13 @@ static mt_status stray_at(const mt_morph *morph, const mt_topology ends[2], doub
     mt_shape drawn, meant;
     mt_topology at;
     mt_status status = mt_morph_rings(morph, mt_weights_at(t), params, arena, &rings);
-    if (status == MT_OK) status = mt_union(&rings, MT_NONZERO, arena, &drawn);
+    if (status == MT_OK) status = mt_union_unmarked(&rings, MT_NONZERO, arena, &drawn);
     if (status == MT_OK) {
         at = mt_topology_of(&drawn);
         *by = straying(&at, &ends[0], &ends[1]);
     }
     if (status == MT_OK && mt_component_area2(&rings) != mt_shape_area2(&drawn)) {
-        status = mt_union(&rings, MT_POSITIVE, arena, &meant);
+        status = mt_union_unmarked(&rings, MT_POSITIVE, arena, &meant);
         if (status == MT_OK) at = mt_topology_of(&meant);
         if (status == MT_OK) *by = worse(*by, straying(&at, &ends[0], &ends[1]));
     }
