@@ -1,3 +1,14 @@
+/* One contour for two aligned rings: the same lines and quadratics fitted to both (docs/paper.md, the joint method, step 5).
+ *
+ *     A  ●────●╮        Steps of the alignment pair samples of A and B. Runs between breaks are fitted by mt_spline, both masters
+ *        │  run ╲       at once: breaks are corners of either ring (●) and the ends of lines that both have.
+ *     B  ●───●╮  ○      ○ nodes inside a run: extrema that both have, and as few others as keep within the tolerance.
+ *        │ run ╲  ○
+ *
+ * 1. Extrema that the alignment has up to STEPS_APART steps apart are paired first: one master waits at its own (pair_extrema).
+ * 2. Breaks are found, each run is fitted, lines are tidied (lines.c).
+ * 3. Smooth nodes that would have a kink in between are moved (smooth.c), and then curves fitted anew (chains.c).
+ * Invariant: both masters have as many segments, of the same degrees. O(n) for n steps, but for mt_spline. */
 #include "morph/fit/contour_pair.h"
 
 #include <math.h>
@@ -8,40 +19,40 @@
 #include "morph/fit/lines.h"
 #include "morph/fit/smooth.h"
 
-/* Of the tolerance: what is within it of a line is that line. */
+/* Of the tolerance: a run within it of a line is that line. */
 #define STRAIGHT_SHARE 0.1
-/* Where both rings have a line of so much length, 1/1000 em, it stays one. */
+/* A line of at least this length in both rings stays a line, 1/1000 em: the eye sees it bend. */
 #define LINE_LEAST 30.0
 
-/* An extremum of the one master goes with one of the other's that is so many steps further, at most, and heads alike within so
+/* An extremum of one master is paired with one of the other at most so many steps further on, whose heading differs by less than so
  * many radians. */
-enum { REACH = 6 };
+enum { STEPS_APART = 6 };
 #define SAME_HEADING 0.5
 
 typedef struct mt_fit_state {
     const mt_ring_samples *samples[2];
     const mt_alignment *alignment;
-    bool *breaks; /* at each step: whether the run in hand ends there */
+    bool *breaks; /* at each step: whether a run ends there */
 } mt_fit_state;
 
-static const mt_ring_sample *sample_at(const mt_fit_state *w, int master, int k) {
-    mt_link step = w->alignment->steps[k % w->alignment->count];
-    return &w->samples[master]->samples[master == 0 ? step.a : step.b];
+static const mt_ring_sample *sample_at(const mt_fit_state *f, int master, int k) {
+    mt_link step = f->alignment->steps[k % f->alignment->count];
+    return &f->samples[master]->samples[master == 0 ? step.a : step.b];
 }
 
-static bool waits(const mt_fit_state *w, int master, int k) {
-    return sample_at(w, master, k) == sample_at(w, master, k + 1);
+static bool waits(const mt_fit_state *f, int master, int k) {
+    return sample_at(f, master, k) == sample_at(f, master, k + 1);
 }
 
 /* ---- extrema ----------------------------------------------------------------------------------------------- */
 
-/* Whether one master has an extremum at step k and the other the same one some steps later: how many; 0 where not. */
-static int extremum_after(const mt_fit_state *w, int k, int *first) {
-    *first = sample_at(w, 0, k)->extremum ? 0 : 1;
-    const mt_ring_sample *here = sample_at(w, *first, k);
-    if (!here->extremum || sample_at(w, 1 - *first, k)->extremum) return 0;
-    for (int d = 1; d <= REACH && k + d < w->alignment->count; d++) {
-        const mt_ring_sample *there = sample_at(w, 1 - *first, k + d), *along = sample_at(w, *first, k + d);
+/* The number of steps from an extremum of one master, `first`, at step k to the same one of the other; 0: none. */
+static int extremum_after(const mt_fit_state *f, int k, int *first) {
+    *first = sample_at(f, 0, k)->extremum ? 0 : 1;
+    const mt_ring_sample *here = sample_at(f, *first, k);
+    if (!here->extremum || sample_at(f, 1 - *first, k)->extremum) return 0;
+    for (int d = 1; d <= STEPS_APART && k + d < f->alignment->count; d++) {
+        const mt_ring_sample *there = sample_at(f, 1 - *first, k + d), *along = sample_at(f, *first, k + d);
         if (along->corner || there->corner || (along->extremum && along != here)) return 0;
         if (there->extremum)
             return along != here && fabs(remainder(there->in - here->in, 2 * M_PI)) < SAME_HEADING ? d : 0;
@@ -54,8 +65,8 @@ static void add_step(mt_alignment *made, mt_link step) {
     if (!last || last->a != step.a || last->b != step.b) made->steps[made->count++] = step;
 }
 
-/* From step k to k + d with master `first` waiting until the other has come, and then the other way round. */
-static void add_meeting(const mt_link *steps, int k, int d, int first, mt_alignment *made) {
+/* From step k to k + d: the master without extremum goes on to its own, then the other follows. */
+static void add_detour(const mt_link *steps, int k, int d, int first, mt_alignment *made) {
     for (int i = k + 1; i <= k + d; i++)
         add_step(made, first == 0 ? (mt_link){steps[k].a, steps[i].b} : (mt_link){steps[i].a, steps[k].b});
     for (int i = k + 1; i <= k + d; i++)
@@ -63,103 +74,103 @@ static void add_meeting(const mt_link *steps, int k, int d, int first, mt_alignm
                  first == 0 ? (mt_link){steps[i].a, steps[k + d].b} : (mt_link){steps[k + d].a, steps[i].b});
 }
 
-/* Lets extrema go with each other that are some steps apart. */
-static mt_status meet_extrema(mt_fit_state *w, mt_arena *arena, mt_alignment *made) {
-    const mt_alignment *before = w->alignment;
-    size_t room = (size_t)w->samples[0]->count + (size_t)w->samples[1]->count;
+/* Pairs extrema that are some steps apart. */
+static mt_status pair_extrema(mt_fit_state *f, mt_arena *arena, mt_alignment *made) {
+    const mt_alignment *before = f->alignment;
+    size_t room = (size_t)f->samples[0]->count + (size_t)f->samples[1]->count;
     *made = (mt_alignment){0, mt_arena_new(arena, room, sizeof(mt_link)), before->cost};
     if (!made->steps) return MT_NO_MEMORY;
     for (int k = 0, d, first; k < before->count; k += d ? d + 1 : 1) {
         add_step(made, before->steps[k]);
-        d = extremum_after(w, k, &first);
-        if (d > 0) add_meeting(before->steps, k, d, first, made);
+        d = extremum_after(f, k, &first);
+        if (d > 0) add_detour(before->steps, k, d, first, made);
     }
-    w->alignment = made;
+    f->alignment = made;
     return MT_OK;
 }
 
-/* ---- where runs end ---------------------------------------------------------------------------------------- */
+/* ---- ends of runs ---------------------------------------------------------------------------------------- */
 
-/* Whether the ring of the other master has a corner while this one waits at the sample of step k. */
-static bool is_met(const mt_fit_state *w, int master, int k, bool *first, bool *last) {
-    int n = w->alignment->count, from = k + n, to = k + n;
-    while (from > k && waits(w, master, from - 1)) from--;
-    while (to < k + 2 * n && waits(w, master, to)) to++;
+/* Whether the other master has a corner at a step at which this one is at the sample of step k, the first or last of these steps. */
+static bool partner_has_corner(const mt_fit_state *f, int master, int k, bool *first, bool *last) {
+    int n = f->alignment->count, from = k + n, to = k + n;
+    while (from > k && waits(f, master, from - 1)) from--;
+    while (to < k + 2 * n && waits(f, master, to)) to++;
     *first = from == k + n;
     *last = to == k + n;
     for (int i = from; i <= to; i++)
-        if (sample_at(w, 1 - master, i)->corner) return true;
+        if (sample_at(f, 1 - master, i)->corner) return true;
     return false;
 }
 
-/* Whether a ring has a corner at step k. A ring that waits there does so for the other's, if that has one meanwhile: then they
- * are one, and it is there alone. Otherwise it is where the waiting begins and where it is over. */
-static bool is_corner(const mt_fit_state *w, int k) {
-    bool in_a = sample_at(w, 0, k)->corner, in_b = sample_at(w, 1, k)->corner, first, last;
+/* Whether step k is a corner of the contour. Where one ring waits at its corner until the other reaches one, only the step with both
+ * is; where the other has none meanwhile, the first and the last step of waiting are. */
+static bool is_corner(const mt_fit_state *f, int k) {
+    bool in_a = sample_at(f, 0, k)->corner, in_b = sample_at(f, 1, k)->corner, first, last;
     if (in_a == in_b) return in_a;
-    return !is_met(w, in_a ? 0 : 1, k, &first, &last) && (first || last);
+    return !partner_has_corner(f, in_a ? 0 : 1, k, &first, &last) && (first || last);
 }
 
 /* Whether both rings follow a line from step k to the next. */
-static bool is_line(const mt_fit_state *w, int k) {
-    return (waits(w, 0, k) || sample_at(w, 0, k)->line) && (waits(w, 1, k) || sample_at(w, 1, k)->line);
+static bool is_line(const mt_fit_state *f, int k) {
+    return (waits(f, 0, k) || sample_at(f, 0, k)->line) && (waits(f, 1, k) || sample_at(f, 1, k)->line);
 }
 
-static double length_between(const mt_fit_state *w, int master, int from, int to) {
+static double length_between(const mt_fit_state *f, int master, int from, int to) {
     double length = 0;
     for (int k = from; k < to; k++) {
-        const mt_ring_sample *p = sample_at(w, master, k), *q = sample_at(w, master, k + 1);
+        const mt_ring_sample *p = sample_at(f, master, k), *q = sample_at(f, master, k + 1);
         length += hypot(q->x - p->x, q->y - p->y);
     }
     return length;
 }
 
-/* Runs end at corners, and where both rings begin or end to follow a line that is long enough to be seen. */
-static mt_status find_breaks(mt_fit_state *w, mt_arena *arena) {
-    int n = w->alignment->count;
-    w->breaks = mt_arena_new(arena, (size_t)n, sizeof(bool));
-    if (!w->breaks) return MT_NO_MEMORY;
-    for (int k = 0; k < n; k++) w->breaks[k] = is_corner(w, k);
+/* Runs end at corners, and at both ends of a line that both rings follow for LINE_LEAST. */
+static mt_status find_breaks(mt_fit_state *f, mt_arena *arena) {
+    int n = f->alignment->count;
+    f->breaks = mt_arena_new(arena, (size_t)n, sizeof(bool));
+    if (!f->breaks) return MT_NO_MEMORY;
+    for (int k = 0; k < n; k++) f->breaks[k] = is_corner(f, k);
     for (int k = 0; k < n; k++) {
-        if (!is_line(w, k) || (is_line(w, k + n - 1) && !is_corner(w, k))) continue;
+        if (!is_line(f, k) || (is_line(f, k + n - 1) && !is_corner(f, k))) continue;
         int end = k + 1;
-        while (end < k + n && is_line(w, end) && !is_corner(w, end % n)) end++;
+        while (end < k + n && is_line(f, end) && !is_corner(f, end % n)) end++;
         double least = mt_grid_units(LINE_LEAST);
-        if (length_between(w, 0, k, end) < least || length_between(w, 1, k, end) < least) continue;
-        w->breaks[k] = w->breaks[end % n] = true;
+        if (length_between(f, 0, k, end) < least || length_between(f, 1, k, end) < least) continue;
+        f->breaks[k] = f->breaks[end % n] = true;
     }
     return MT_OK;
 }
 
 /* ---- runs -------------------------------------------------------------------------------------------------- */
 
-static bool breaks(const mt_fit_state *w, int k) {
-    return w->breaks[k % w->alignment->count];
+static bool breaks(const mt_fit_state *f, int k) {
+    return f->breaks[k % f->alignment->count];
 }
 
-static bool is_node(const mt_fit_state *w, int k) {
-    return sample_at(w, 0, k)->extremum && sample_at(w, 1, k)->extremum;
+static bool is_node(const mt_fit_state *f, int k) {
+    return sample_at(f, 0, k)->extremum && sample_at(f, 1, k)->extremum;
 }
 
-static void sample_run(const mt_fit_state *w, int master, int first, int count, mt_sample *samples) {
+static void sample_run(const mt_fit_state *f, int master, int first, int count, mt_sample *samples) {
     int arrival = count; /* from here on the ring waits at the run's end */
-    while (arrival > 1 && sample_at(w, master, first + arrival - 1) == sample_at(w, master, first + count))
+    while (arrival > 1 && sample_at(f, master, first + arrival - 1) == sample_at(f, master, first + count))
         arrival--;
     for (int k = 0; k <= count; k++) {
-        const mt_ring_sample *sample = sample_at(w, master, first + k);
+        const mt_ring_sample *sample = sample_at(f, master, first + k);
         double heading = k < arrival ? sample->out : sample->in;
-        bool node = is_node(w, first + k) && !sample->breaks;
+        bool node = is_node(f, first + k) && !sample->breaks;
         samples[k] = mt_sample_at(sample->x, sample->y, heading, node);
     }
 }
 
-static mt_status fit_run(const mt_fit_state *w, int first, int count, double tolerance, mt_arena *arena,
+static mt_status fit_run(const mt_fit_state *f, int first, int count, double tolerance, mt_arena *arena,
                          mt_contour_pair *m, int *steps) {
     mt_sample *a = mt_arena_new(arena, (size_t)count + 1, sizeof *a);
     mt_sample *b = mt_arena_new(arena, (size_t)count + 1, sizeof *b);
     if (!a || !b) return MT_NO_MEMORY;
-    sample_run(w, 0, first, count, a);
-    sample_run(w, 1, first, count, b);
+    sample_run(f, 0, first, count, a);
+    sample_run(f, 1, first, count, b);
     const mt_sample *masters[] = {a, b};
     mt_segment *segments[] = {m->a.segments + m->a.count, m->b.segments + m->b.count};
     int made, *ends = steps + m->a.count;
@@ -171,15 +182,15 @@ static mt_status fit_run(const mt_fit_state *w, int first, int count, double tol
     return MT_OK;
 }
 
-/* Where to begin: at a break or, on rings that are smooth all around, at an extremum of both or where both
- * head most nearly the same way. */
-static int first_step(const mt_fit_state *w) {
+/* The step to begin at: a break or, on rings that are smooth all around, an extremum of both or the step at which the two headings
+ * differ least. */
+static int first_step(const mt_fit_state *f) {
     int best = 0;
     double least = INFINITY;
-    for (int k = 0; k < w->alignment->count; k++) {
-        if (breaks(w, k)) return k;
-        double apart = fabs(remainder(sample_at(w, 0, k)->out - sample_at(w, 1, k)->out, 2 * M_PI));
-        if (is_node(w, k)) apart -= 2 * M_PI;
+    for (int k = 0; k < f->alignment->count; k++) {
+        if (breaks(f, k)) return k;
+        double apart = fabs(remainder(sample_at(f, 0, k)->out - sample_at(f, 1, k)->out, 2 * M_PI));
+        if (is_node(f, k)) apart -= 2 * M_PI;
         if (apart >= least) continue;
         least = apart;
         best = k;
@@ -187,14 +198,14 @@ static int first_step(const mt_fit_state *w) {
     return best;
 }
 
-/* Every step of the alignment, in both masters, as it goes on from there. */
-static mt_status track_of(const mt_fit_state *w, mt_arena *arena, mt_track *track) {
-    *track = (mt_track){.count = w->alignment->count};
+/* The sample and the heading out of it at every step of the alignment, in both masters. */
+static mt_status track_of(const mt_fit_state *f, mt_arena *arena, mt_track *track) {
+    *track = (mt_track){.count = f->alignment->count};
     for (int m = 0; m < 2; m++) {
         mt_sample *samples = mt_arena_new(arena, (size_t)track->count, sizeof *samples);
         if (!samples) return MT_NO_MEMORY;
         for (int k = 0; k < track->count; k++) {
-            const mt_ring_sample *sample = sample_at(w, m, k);
+            const mt_ring_sample *sample = sample_at(f, m, k);
             samples[k] = mt_sample_at(sample->x, sample->y, sample->out, false);
         }
         track->samples[m] = samples;
@@ -205,33 +216,33 @@ static mt_status track_of(const mt_fit_state *w, mt_arena *arena, mt_track *trac
 mt_status mt_contour_pair_fit(const mt_ring_samples *a, const mt_ring_samples *b,
                               const mt_alignment *alignment, double tolerance, mt_arena *arena,
                               mt_contour_pair *masters) {
-    mt_fit_state w = {{a, b}, alignment, NULL};
+    mt_fit_state f = {{a, b}, alignment, NULL};
     mt_alignment met;
-    mt_status status = meet_extrema(&w, arena, &met);
-    if (status == MT_OK) status = find_breaks(&w, arena);
+    mt_status status = pair_extrema(&f, arena, &met);
+    if (status == MT_OK) status = find_breaks(&f, arena);
     if (status != MT_OK) return status;
-    int n = met.count, start = first_step(&w);
+    int n = met.count, start = first_step(&f);
     mt_contour_pair made = {.a = {0, mt_arena_new(arena, (size_t)n, sizeof(mt_segment))},
                             .b = {0, mt_arena_new(arena, (size_t)n, sizeof(mt_segment))}};
     int *steps = mt_arena_new(arena, (size_t)n, sizeof *steps);
     if (!made.a.segments || !made.b.segments || !steps) return MT_NO_MEMORY;
     for (int done = 0; done < n;) {
         int count = 1;
-        while (done + count < n && !breaks(&w, start + done + count)) count++;
-        status = fit_run(&w, (start + done) % n, count, tolerance, arena, &made, steps);
+        while (done + count < n && !breaks(&f, start + done + count)) count++;
+        status = fit_run(&f, (start + done) % n, count, tolerance, arena, &made, steps);
         if (status != MT_OK) return status;
         done += count;
     }
     mt_track track;
     mt_contour_pair_tidy_lines(&made, steps, STRAIGHT_SHARE * tolerance);
     status = mt_contour_pair_smooth(&made, STRAIGHT_SHARE * tolerance, arena);
-    if (status == MT_OK) status = track_of(&w, arena, &track);
+    if (status == MT_OK) status = track_of(&f, arena, &track);
     if (status == MT_OK) status = mt_chains_smooth(&track, steps, tolerance, arena, &made);
     if (status == MT_OK) *masters = made;
     return status;
 }
 
-/* How far the contour stands aside at these weights. */
+/* The contour's displacement at these weights. */
 static mt_point displacement_at(const mt_contour_pair *masters, mt_weights weights) {
     mt_weights share = {0, 2 * (weights.a < weights.b ? weights.a : weights.b)};
     share.a = MT_WEIGHT_ONE - share.b;

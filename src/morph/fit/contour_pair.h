@@ -1,13 +1,13 @@
-/* Making compatible masters of two aligned rings, and going between them. */
+/* Compatible masters of two aligned rings, and the contours between them. */
 #ifndef MT_MORPH_FIT_CONTOUR_PAIR_H
 #define MT_MORPH_FIT_CONTOUR_PAIR_H
 
 #include "geometry/outline.h"
 #include "morph/align/align.h"
 
-/* Fits the same lines and quadratics to two aligned rings, each within `tolerance` grid units of its own, and a tenth of that
- * more. They end where either ring has a corner, where both begin or end to follow a line, and at the extrema that both have;
- * nodes that both run through smoothly stay smooth on the way (chains.h), where the curves can be made so. MT_NO_MEMORY. */
+/* Fits the same lines and quadratics to two aligned rings, each within 1.1 times `tolerance` grid units of its own. They end at the
+ * corners of either ring, at the ends of lines that both have, and at extrema that both have; nodes that are smooth in both masters
+ * stay smooth in between (chains.h), where curves can be found for it. MT_NO_MEMORY. */
 mt_status mt_contour_pair_fit(const mt_ring_samples *a, const mt_ring_samples *b,
                               const mt_alignment *alignment, double tolerance, mt_arena *arena,
                               mt_contour_pair *masters);

@@ -1,3 +1,9 @@
+/* Lines that a fit leaves in pieces, or takes for lines wrongly. In both masters alike:
+ *
+ *     ●──●────●────●   ──▶  ●────────────●     nodes within the tolerance of one line are dropped, and segments without length
+ *     ╭─●─●─╮          ──▶  ╭─●~●─╮            a line shorter than CURVE_LINE_MOST between curves, with a kink at an end in
+ *                                              between, becomes a quadratic with its control point in the middle
+ * Invariant: both masters keep as many segments, of the same degrees. O(n) for n segments, O(n²) for one line of n. */
 #include "morph/fit/lines.h"
 
 #include <math.h>
@@ -5,10 +11,8 @@
 #include "geometry/limits.h"
 #include "morph/fit/smooth.h"
 
-/* A line between two smooth nodes that is shorter in either master is a piece of a curve, 1/1000 em, … */
-#define LINE_LEAST 10.0
-/* … where as a line it would make a kink of more than so many degrees on the way. */
-#define KINK_TURN 0.5
+/* A line between two smooth nodes that is shorter in either master is part of a curve where it has a kink, 1/1000 em. */
+#define CURVE_LINE_MOST 10.0
 
 static mt_contour *master(mt_contour_pair *masters, int m) {
     return m == 0 ? &masters->a : &masters->b;
@@ -34,7 +38,7 @@ static bool is_one_line(mt_contour_pair *masters, int first, int last, double to
     return masters->a.segments[last].degree == 1;
 }
 
-/* Whether segments first … last, which are one line, lead anywhere in either master. */
+/* Whether segments first … last, which are one line, have a length in either master. */
 static bool has_length(mt_contour_pair *masters, int first, int last) {
     int n = masters->a.count;
     for (int m = 0; m < 2; m++) {
@@ -60,25 +64,25 @@ static void join_lines(mt_contour_pair *masters, int *steps, double tolerance) {
     masters->a.count = masters->b.count = made;
 }
 
-/* ---- lines that are none --------------------------------------------------------------------------------- */
+/* ---- lines within curves --------------------------------------------------------------------------------- */
 
 static bool is_short(mt_contour_pair *masters, int k) {
     int n = masters->a.count;
     for (int m = 0; m < 2; m++) {
         const mt_segment *s = master(masters, m)->segments;
         double length = sqrt((double)mt_distance2(s[(k + n - 1) % n].end, s[k].end));
-        if (length < mt_grid_units(LINE_LEAST)) return true;
+        if (length < mt_grid_units(CURVE_LINE_MOST)) return true;
     }
     return false;
 }
 
-/* Whether a line makes a kink with what is before or after it, and a corner with neither. */
+/* Whether a line has a kink at an end, and a corner at neither. */
 static bool is_kinked(mt_contour_pair *masters, int k) {
     const mt_contour *const both[2] = {&masters->a, &masters->b};
     int before = (k + masters->a.count - 1) % masters->a.count;
     for (int m = 0; m < 2; m++)
         if (!mt_is_smooth(both[m], k) || !mt_is_smooth(both[m], before)) return false;
-    return fmax(mt_kink(both, k), mt_kink(both, before)) > KINK_TURN;
+    return fmax(mt_kink(both, k), mt_kink(both, before)) > MT_KINK_TURN;
 }
 
 static void bend(mt_contour_pair *masters, int k) {

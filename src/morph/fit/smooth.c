@@ -1,3 +1,14 @@
+/* Nodes without kinks in between, by moving them. A node k lies between two handles; where both masters are smooth there but head
+ * differently, a mix of them turns at the node, unless the handles have the same ratio in both:
+ *
+ *     before ○───●──────○ after      A: ratio 1 : 2        mixed handles are in line for every T, since
+ *             ○                      B: ratio 1 : 2        node = before + share · (after − before)
+ *              ╲●╲                                         with the same share in both masters
+ *                 ○
+ *
+ * Nodes are moved along their own tangents to a common share (the mean of both, A's, or B's: the one that costs least), where no master
+ * departs from its drawing by more than the tolerance, and a handle of HANDLE_LEAST remains. Invariants: segments keep their number and
+ * order, control points their places; swapping A and B swaps the result. O(ROUNDS · n). */
 #include "morph/fit/smooth.h"
 
 #include <math.h>
@@ -5,23 +16,22 @@
 
 #include "geometry/limits.h"
 
-/* A master that turns by no more than so many degrees at a node runs through it smoothly. */
+/* A master that turns by no more than this at a node is smooth there, degrees. */
 #define SMOOTH_TURN 4.0
-/* A kink that turns by less than so many degrees half-way is let be. */
-#define KINK_TURN 0.5
-/* A line or a handle keeps so much of its length, in one of the masters at least, 1/1000 em. */
+/* A line or a handle is left at least this long in one of the masters, 1/1000 em. */
 #define HANDLE_LEAST 2.0
-/* Nodes are moved in so many rounds, since a line's end is its neighbour's handle. */
+/* Nodes are moved in ROUNDS, since a line's end is its neighbour's handle; SAMPLES of a curve measure how far it departs, and STEPS
+ * places between the masters its kink. */
 enum { ROUNDS = 3, SAMPLES = 8, STEPS = 8 };
 
 typedef struct mt_vector {
     double x, y;
 } mt_vector;
 
-/* A node between two segments of one master: where the handle on either side of it ends. */
-typedef struct mt_hinge {
+/* A node of one master, and the ends of the handles on both sides. */
+typedef struct mt_node_handles {
     mt_vector before, at, after;
-} mt_hinge;
+} mt_node_handles;
 
 static mt_vector place(mt_point p) {
     return (mt_vector){p.x, p.y};
@@ -43,46 +53,45 @@ static mt_segment *segment_at(const mt_contour *contour, int k) {
     return &contour->segments[(k + contour->count) % contour->count];
 }
 
-static mt_hinge hinge_at(const mt_contour *contour, int k) {
+static mt_node_handles handles_at(const mt_contour *contour, int k) {
     const mt_segment *in = segment_at(contour, k), *out = segment_at(contour, k + 1);
     mt_point before = in->degree == 2 ? in->control[0] : segment_at(contour, k - 1)->end;
     mt_point after = out->degree == 2 ? out->control[0] : out->end;
-    return (mt_hinge){place(before), place(in->end), place(after)};
+    return (mt_node_handles){place(before), place(in->end), place(after)};
 }
 
-/* By how many degrees the path through three places turns at the second; 0 where one side has no length. */
-static double turn(mt_hinge h) {
+/* The turn of the path through three places at the second, degrees; 0 where one side has no length. */
+static double turn(mt_node_handles h) {
     double ax = h.at.x - h.before.x, ay = h.at.y - h.before.y, bx = h.after.x - h.at.x,
            by = h.after.y - h.at.y;
     return fabs(atan2(ax * by - ay * bx, ax * bx + ay * by)) * (180 / M_PI);
 }
 
-/* ---- whether there is a kink ------------------------------------------------------------------------------ */
+/* ---- kinks ------------------------------------------------------------------------------ */
 
-/* The direction in which a master waits before or after a node is that in which it came there or will go on. */
 bool mt_is_smooth(const mt_contour *contour, int k) {
-    mt_hinge h = hinge_at(contour, k);
+    mt_node_handles h = handles_at(contour, k);
     for (int i = 1; i < contour->count && distance(h.before, h.at) == 0; i++)
-        h.before = hinge_at(contour, k - i).before;
+        h.before = handles_at(contour, k - i).before;
     for (int i = 1; i < contour->count && distance(h.at, h.after) == 0; i++)
-        h.after = hinge_at(contour, k + i).after;
+        h.after = handles_at(contour, k + i).after;
     return turn(h) <= SMOOTH_TURN;
 }
 
-static double turn_between(mt_hinge a, mt_hinge b, double share) {
-    return turn((mt_hinge){between(a.before, b.before, share), between(a.at, b.at, share),
-                           between(a.after, b.after, share)});
+static double turn_between(mt_node_handles a, mt_node_handles b, double share) {
+    return turn((mt_node_handles){between(a.before, b.before, share), between(a.at, b.at, share),
+                                  between(a.after, b.after, share)});
 }
 
 double mt_kink(const mt_contour *const masters[2], int k) {
     if (!mt_is_smooth(masters[0], k) || !mt_is_smooth(masters[1], k)) return 0;
-    mt_hinge a = hinge_at(masters[0], k), b = hinge_at(masters[1], k);
+    mt_node_handles a = handles_at(masters[0], k), b = handles_at(masters[1], k);
     double most = 0;
     for (int i = 1; i < STEPS; i++) most = fmax(most, turn_between(a, b, (double)i / STEPS));
     return most;
 }
 
-/* ---- what moving a node does ------------------------------------------------------------------------------ */
+/* ---- effect of moving a node ------------------------------------------------------------------------------ */
 
 static mt_vector on_segment(mt_vector start, const mt_segment *segment, double u) {
     mt_vector end = place(segment->end);
@@ -97,7 +106,7 @@ static double distance2_to_chord(mt_vector p, mt_vector a, mt_vector b) {
     return distance2(p, u <= 0 ? a : u >= 1 ? b : between(a, b, u));
 }
 
-/* How far a place is from the drawing between nodes k - 2 and k + 2. */
+/* The distance of a place from the drawing between nodes k - 2 and k + 2. */
 static double distance_to_drawing(const mt_contour *drawn, int k, mt_vector p) {
     double least = INFINITY;
     for (int i = k - 1; i <= k + 2; i++) {
@@ -112,7 +121,7 @@ static double distance_to_drawing(const mt_contour *drawn, int k, mt_vector p) {
     return sqrt(least);
 }
 
-/* How far the two segments at node k depart from the drawing when the node stands at `at`. */
+/* The largest distance of the two segments at node k from the drawing when the node is at `at`. */
 static double departure(const mt_contour *drawn, const mt_contour *contour, int k, mt_vector at) {
     mt_segment in = *segment_at(contour, k), out = *segment_at(contour, k + 1);
     mt_vector start = place(segment_at(contour, k - 1)->end);
@@ -129,36 +138,36 @@ static double departure(const mt_contour *drawn, const mt_contour *contour, int 
 /* ---- moving ----------------------------------------------------------------------------------------------- */
 
 /* Whether a handle at a node would be shorter than HANDLE_LEAST in both masters, with the node at `at`. */
-static bool is_used_up(const mt_hinge hinges[2], const mt_vector at[2]) {
+static bool is_too_short(const mt_node_handles handles[2], const mt_vector at[2]) {
     double before = 0, after = 0;
     for (int m = 0; m < 2; m++) {
-        before = fmax(before, distance(hinges[m].before, at[m]));
-        after = fmax(after, distance(at[m], hinges[m].after));
+        before = fmax(before, distance(handles[m].before, at[m]));
+        after = fmax(after, distance(at[m], handles[m].after));
     }
     return fmin(before, after) < mt_grid_units(HANDLE_LEAST);
 }
 
-static double share_of(mt_hinge h) {
+static double share_of(mt_node_handles h) {
     double in = distance(h.before, h.at), out = distance(h.at, h.after);
     return in + out > 0 ? in / (in + out) : 0.5;
 }
 
-/* Moves node k to the share of the way between its handles' ends that costs the least departure; nowhere, where all
- * are too much. The mean of both masters' shares comes first, so that neither master is preferred. */
+/* Moves node k to the share of the way between its handles' ends that departs least; not at all where every share departs too far.
+ * The mean of both masters' shares comes first, so that neither master is preferred. */
 static void move_node(const mt_contour *const drawn[2], mt_contour *const masters[2], int k,
                       double tolerance) {
-    mt_hinge hinges[2] = {hinge_at(masters[0], k), hinge_at(masters[1], k)};
-    double a = share_of(hinges[0]), b = share_of(hinges[1]), shares[3] = {(a + b) / 2, a, b};
+    mt_node_handles handles[2] = {handles_at(masters[0], k), handles_at(masters[1], k)};
+    double a = share_of(handles[0]), b = share_of(handles[1]), shares[3] = {(a + b) / 2, a, b};
     double least = INFINITY;
     mt_vector best[2];
     for (int i = 0; i < 3; i++) {
         mt_vector at[2];
         double worst = 0;
         for (int m = 0; m < 2; m++) {
-            at[m] = between(hinges[m].before, hinges[m].after, shares[i]);
+            at[m] = between(handles[m].before, handles[m].after, shares[i]);
             worst = fmax(worst, departure(drawn[m], masters[m], k, at[m]));
         }
-        if (worst > tolerance || worst >= least || is_used_up(hinges, at)) continue;
+        if (worst > tolerance || worst >= least || is_too_short(handles, at)) continue;
         least = worst;
         memcpy(best, at, sizeof best);
     }
@@ -174,13 +183,13 @@ static mt_status copy(const mt_contour *contour, mt_arena *arena, mt_contour *ma
 }
 
 mt_status mt_contour_pair_smooth(mt_contour_pair *masters, double tolerance, mt_arena *arena) {
-    mt_contour drawn[2], *moved[2] = {&masters->a, &masters->b};
+    mt_contour drawn[2], *masters_moved[2] = {&masters->a, &masters->b};
     mt_status status = copy(&masters->a, arena, &drawn[0]);
     if (status == MT_OK) status = copy(&masters->b, arena, &drawn[1]);
     if (status != MT_OK || masters->a.count < 3) return status;
     const mt_contour *const before[2] = {&drawn[0], &drawn[1]}, *const now[2] = {&masters->a, &masters->b};
     for (int round = 0; round < ROUNDS; round++)
         for (int k = 0; k < masters->a.count; k++)
-            if (mt_kink(now, k) > KINK_TURN) move_node(before, moved, k, tolerance);
+            if (mt_kink(now, k) > MT_KINK_TURN) move_node(before, masters_moved, k, tolerance);
     return MT_OK;
 }

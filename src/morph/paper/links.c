@@ -1,3 +1,11 @@
+/* Section 2.2.2: the list R of links between convex pieces, by formula (3) and the algorithm's three steps.
+ *
+ *     A  1 2 3      step 2: each piece of A, its nearest of B, by coordinate vectors relative to the boxes   1–p 2–p 3–q
+ *        │╱  │      step 3: each piece of B without a link, its nearest of A                                  (r) 3–r
+ *     B  p   q r    step 1: only among pieces of matched components
+ *
+ * Invariant: every piece of a matched component has a link; links are ordered and no two alike; mt_link_evenly gives the swapped links
+ * for swapped sides. O(m · n) for m and n pieces. */
 #include "morph/paper/links.h"
 
 #include <math.h>
@@ -7,8 +15,7 @@ typedef struct mt_relative_place {
     double x, y; /* the paper's coordinate vector of a piece */
 } mt_relative_place;
 
-/* Which components of the other side each component is matched with, as a list of matches grouped by
- * component. */
+/* The pieces of one side to be linked with those of the other. */
 typedef struct mt_mapping {
     const mt_side *from, *to;
     const mt_relative_place *from_places, *to_places;
@@ -82,9 +89,9 @@ mt_status mt_link_pieces(const mt_side *a, const mt_side *b, const mt_links *mat
     return MT_OK;
 }
 
-/* ---- either way round ---------------------------------------------------------------------------------- */
+/* ---- order of the sides -------------------------------------------------------------------------------- */
 
-/* An order of sides that does not ask which of them is A: < 0, 0, > 0. */
+/* Orders two sides by their pieces alone: < 0, 0, > 0. */
 static int compare_sides(const mt_side *p, const mt_side *q) {
     if (p->pieces.count != q->pieces.count) return p->pieces.count < q->pieces.count ? -1 : 1;
     for (int i = 0; i < p->pieces.count; i++) {

@@ -1,9 +1,12 @@
+/* Sections 2.1 and 2.2.2 for a whole morph: the components that are not joined are decomposed into convex pieces, and the pieces linked, as
+ * printed or evenly. Invariant: pieces are numbered through the components of a side; an aligned component has none. O(m · n) for m and n
+ * pieces, and the triangulations. */
 #include "morph/paper/pieces.h"
 
 #include "geometry/decompose.h"
 #include "morph/paper/links.h"
 
-/* The components that do not move by contours. */
+/* Decomposes the components that are not joined. */
 static mt_status decompose_all(mt_side *side, mt_arena *arena) {
     mt_pieces *parts = mt_arena_new(arena, (size_t)side->shape.count, sizeof *parts);
     side->first = mt_arena_new(arena, (size_t)side->shape.count + 1, sizeof *side->first);

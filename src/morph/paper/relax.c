@@ -1,3 +1,10 @@
+/* Section 2.2.1, formulas (1) and (2): relaxation matching of components on a matrix of similarities.
+ *
+ *     s'(i, j) = s(i, j) · Σ_{h≠i} max_{r≠j} s(h, r) / (K − 1)     a match gains support where the other rows have good
+ *                                                                  matches in the other columns
+ *
+ * The largest entry of each row and the largest of its other entries give all maxima of a round at once. Each round is scaled to a largest
+ * entry of 1. Invariant: every row and every column keeps at least one match. O(rounds · K · L), and O(K · L · (K + L)) for the matches. */
 #include "morph/paper/relax.h"
 
 #include <math.h>

@@ -1,5 +1,4 @@
-/* Relaxation matching: formulas (1) and (2) of section 2.2.1. Knows a matrix of similarities only, whatever
- * was compared. */
+/* Relaxation matching on a matrix of similarities: formulas (1) and (2) of section 2.2.1. */
 #ifndef MT_MORPH_PAPER_RELAX_H
 #define MT_MORPH_PAPER_RELAX_H
 

@@ -1,3 +1,9 @@
+/* Section 2.3, formula (5): the rotation q. B is turned by −q before it is compared, and a blend at weight r by (1 − r) q back.
+ *
+ *     A ▐   B  ╱     principal axes of matched components, of their second moments of area; q is the mean of the angles
+ *       ▐     ╱      between them, as vectors at twice the angle, weighted by area and by how elongated both are
+ *
+ * The paper gives no way to find q; this is ours. Invariants: multiples of 90° are exact, other turns round to the grid. O(n) for n points. */
 #include "morph/paper/rotation.h"
 
 #include <math.h>
@@ -65,7 +71,7 @@ mt_point mt_morph_turn(const mt_morph *morph, mt_weights weights, mt_point p) {
 
 /* ---- principal axes ------------------------------------------------------------------------------------ */
 
-/* The axis as a vector at twice its angle, whose length is how much the shape is longer than wide (0 … 1). */
+/* The axis as a vector at twice its angle; its length is the shape's elongation, 0 … 1. */
 typedef struct mt_turn_axis {
     double area, cosine, sine;
 } mt_turn_axis;

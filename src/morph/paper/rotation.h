@@ -16,12 +16,12 @@ mt_point mt_turn(mt_point p, mt_point centre, double degrees);
 mt_status mt_shape_turn(const mt_shape *shape, mt_point centre, double degrees, mt_arena *arena,
                         mt_shape *turned);
 
-/* Where a point of the blend at these weights goes by formula (5): back by (1 - r) q about the middle of both boxes. */
+/* A point of the blend at these weights, turned by formula (5): by (1 - r) q about the blend of both boxes' middles. */
 mt_point mt_morph_turn(const mt_morph *morph, mt_weights weights, mt_point p);
 
 /* The angle q of B to A, degrees, -90 … 90: the mean over matched components of the angle between their
- * principal axes (of the second moments of area), each counted by its area and by how much longer than wide
- * both are, so that round components, which have no axis, have no say. 0 when none has. */
+ * principal axes (of the second moments of area), weighted by area and by how much longer than wide both are, so
+ * that round components, which have no axis, do not count. 0 when no pair has one. */
 double mt_find_rotation(const mt_shape *a, const mt_shape *b, const mt_links *matches);
 
 #endif

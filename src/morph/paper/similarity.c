@@ -1,3 +1,6 @@
+/* Section 2.2.1: the attributes (p, s, t) of a component's convex hull, and the similar function m(h1, h2) = w1 v1 + w2 v2 + w3 v3. As
+ * printed v1 and v2 are differences, 0 for equal hulls; here all three are 1 for equal hulls (docs/paper.md, readings). Invariant: each
+ * v, and so m, lies in 0 … 1. O(n log n) for the hull of n points, O(1) for a similarity. */
 #include "morph/paper/similarity.h"
 
 #include <math.h>

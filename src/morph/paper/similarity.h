@@ -1,15 +1,15 @@
-/* How alike two components are: section 2.2.1, the similar function m(h1, h2). */
+/* The similarity of two components: section 2.2.1, the similar function m(h1, h2). */
 #ifndef MT_MORPH_PAPER_SIMILARITY_H
 #define MT_MORPH_PAPER_SIMILARITY_H
 
 #include "geometry/ring.h"
 
-/* What the paper keeps of a component: its convex hull's 3-tuple (p, s, t), relative to the glyph's minimum
+/* The paper's attributes of a component: its convex hull's 3-tuple (p, s, t), relative to the glyph's minimum
  * rectangle with the origin at its lower left corner. */
 typedef struct mt_hull {
     double centre[2];       /* p: the barycentre, each axis by the rectangle's own side */
     double area;            /* s: relative to the square of the rectangle's longer side */
-    double low[2], high[2]; /* what t compares: the extremes of x and y, scaled as the centre */
+    double low[2], high[2]; /* of t: the extremes of x and y, scaled as the centre */
 } mt_hull;
 
 /* The hull of a component of a glyph whose minimum rectangle is `box`. MT_NO_MEMORY. */
