@@ -2,7 +2,7 @@
  * measures, over the characters of the ranges, how far its outlines are from the source's own (both ways, at points no more
  * than 1/1000 em apart, to the nearest segment). Prints the mean and the largest distance in 1/1000 em; fails over 0.25 and 1,
  * the promise of docs/guide.md, and where one of the characters that both sources have was not compared. With `same` for B, A is
- * blended with itself at the place given. */
+ * blended with itself at the place given. MT_TOLERANCE and MT_FIT in the environment are the parameters of these names. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -126,11 +126,18 @@ static void say_failure(uint32_t c, mt_status why, void *user) {
     printf("U+%04X: %s\n", c, mt_status_text(why));
 }
 
+static double parameter(const char *name, double otherwise) {
+    const char *text = getenv(name);
+    return text ? atof(text) : otherwise;
+}
+
 /* The blend at t, written and read back. */
 static mt_status blend_and_read(mt_font *a, mt_font *b, double t, const uint32_t *chars, int count,
                                 mt_font **made) {
     mt_arena arena = {0};
     mt_params params = mt_params_default();
+    params.tolerance = parameter("MT_TOLERANCE", params.tolerance);
+    params.fit = parameter("MT_FIT", params.fit);
     mt_blend *blend;
     mt_status status = mt_blend_new(a, b, &params, &blend);
     if (status != MT_OK) return status;
