@@ -44,4 +44,5 @@ def main():
                   f"| {100 * s['ink_in_range']:.1f} % |", flush=True)
 
 
-main()
+if __name__ == '__main__':
+    main()
