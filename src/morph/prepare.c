@@ -1,3 +1,10 @@
+/* From two shapes to a morph, in the order of the paper.
+ *
+ *     B ── turned by −q (2.3) ──▶ matched with A's components (2.2.1) ──▶ method joint: joined (trials.c), the rest decomposed and linked
+ *                                                                    └──▶ method paper: decomposed (2.1), linked (2.2.2)
+ *
+ * The angle q, when it is to be found, takes a matching of its own before. Invariant: the morph's shapes and arrays live in the arena or in
+ * the caller's shapes. The cost is that of the trials, or of the triangulations with the paper's method. */
 #include "morph/prepare.h"
 
 #include "geometry/limits.h"
@@ -39,7 +46,7 @@ static mt_status turn_b(mt_morph *morph, const mt_params *params, mt_arena *aren
     if (params->rotation == MT_ROTATION_NONE) return MT_OK;
     morph->degrees = params->degrees;
     if (params->rotation == MT_ROTATION_FOUND) {
-        mt_status status = match_components(morph, params, arena); /* as they stand, to compare their axes */
+        mt_status status = match_components(morph, params, arena); /* unturned, to compare their axes */
         if (status != MT_OK) return status;
         morph->degrees = mt_find_rotation(&morph->a.shape, &morph->b.shape, &morph->matches);
     }
@@ -57,7 +64,7 @@ static mt_status turn_b(mt_morph *morph, const mt_params *params, mt_arena *aren
     return MT_OK;
 }
 
-/* Hints give B's places as drawn; the engine looks for them where B was turned to. */
+/* Hints have B's places as drawn; the morph has them turned with B. */
 static mt_status turn_hints(const mt_hints *hints, const mt_morph *morph, mt_box box, mt_arena *arena,
                             mt_hints *turned) {
     mt_hint *made = mt_arena_new(arena, (size_t)hints->count, sizeof *made);

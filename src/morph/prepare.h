@@ -1,12 +1,12 @@
-/* From two shapes to a morph: what is done once, before any place between them is asked for. */
+/* From two shapes to a morph: done once, before any place between them. */
 #ifndef MT_MORPH_PREPARE_H
 #define MT_MORPH_PREPARE_H
 
 #include "morph/model/morph.h"
 
-/* Decomposes and matches, as `hints` (unless NULL) say where they say something; with MT_METHOD_JOINT, aligns what can be. Everything lives in the arena, and the
- * shapes must stay as long as the morph. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY; MT_NO_COUNTERPART when
- * one shape has ink and the other none. */
+/* Matches, joins where the method is MT_METHOD_JOINT, decomposes and links; `hints`, unless NULL, decide first. Everything lives in the
+ * arena, and the shapes must stay as long as the morph. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY; MT_NO_COUNTERPART when one shape
+ * has ink and the other none. */
 mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints *hints,
                            const mt_params *params, mt_arena *arena, mt_morph *morph);
 

@@ -4,7 +4,7 @@
 
 #include "morph/model/morph.h"
 
-/* The rings that the blend at these weights is the union of: links' sums, and contours flattened within the params' tolerance. */
+/* The rings whose union the blend at these weights is: links' sums, and contours flattened within the params' tolerance. */
 mt_status mt_morph_rings(const mt_morph *morph, mt_weights weights, const mt_params *params, mt_arena *arena,
                          mt_rings *rings);
 

@@ -1,3 +1,10 @@
+/* Formula (4) for one link and all r at once. The corners of rP ⊕ (1 − r)Q are sums of the same vertices p and q for all 0 < r < 1:
+ *
+ *     P ◣  ⊕  Q ■  =  corners (p0,q0) (p0,q1) (p1,q1) (p1,q2) …     in the order of the edges' directions (minkowski.c);
+ *                                                                   one master stays at its vertex while the other advances
+ *
+ * So the masters are the corners' p and the corners' q, and runs between breaks are fitted to both at once, as in fit/contour_pair.c.
+ * Invariant: at r = 1 the contour is P, at r = 0 Q, within the tolerance. O(n + m) for n and m vertices, but for mt_spline. */
 #include "morph/between/link_contour.h"
 
 #include "geometry/spline.h"
@@ -14,12 +21,12 @@ static const mt_ring_sample *sample_at(const mt_sum *sum, int master, int k) {
     return &sum->samples[master].samples[master == 0 ? corner->p : corner->q];
 }
 
-/* Whether the master stands still from corner k - 1 to corner k. */
+/* Whether the master stays at its vertex from corner k - 1 to corner k. */
 static bool waits(const mt_sum *sum, int master, int k) {
     return sample_at(sum, master, k + sum->count) == sample_at(sum, master, k + sum->count - 1);
 }
 
-/* Whether a run ends at corner k: where a piece has a corner, or a line's end, unless it waits there all the while. */
+/* Whether a run ends at corner k: a piece has a corner or a line's end there, and does not stay at it on both sides of k. */
 static bool breaks(const mt_sum *sum, int k) {
     for (int master = 0; master < 2; master++)
         if (sample_at(sum, master, k)->breaks && !(waits(sum, master, k) && waits(sum, master, k + 1)))

@@ -1,3 +1,11 @@
+/* A morph as contours that vary (section 2.3 for all r at once), and the steps that a rotation takes.
+ *
+ *     A ●╌╌╌╌╌╌● B     without rotation a point moves on a straight line: one step
+ *       ╲  ▁▁▁╱        with formula (5) on an arc: q · r about a middle, the radius changes evenly; its second derivative is at most
+ *        ▔▔            q² · radius + 2 q · change, and a chord over 1/n of it departs by an eighth of that over n²
+ *
+ * Contours beside a cut are made to overlap (seam_overlap.c): rounded to whole units, they would leave a hairline. Invariant: as many
+ * contours, and segments of the same degrees, in both masters. O(n) for n segments, but for the links' fits and the seams. */
 #include "morph/between/variable_outline.h"
 
 #include <math.h>
@@ -8,12 +16,11 @@
 #include "morph/fit/contour_pair.h"
 #include "morph/paper/rotation.h"
 
-/* How far contours that meet at a cut lie over one another, 1/1000 em: as much as rounding to whole units could part them
- * by, and half as much again. */
-#define LAP 1.5
+/* The overlap of contours beside a cut, 1/1000 em: one and a half times the gap that rounding to whole units can leave. */
+#define SEAM_OVERLAP 1.5
 
 mt_status mt_variable_outline_make(const mt_morph *morph, const mt_params *params, mt_arena *arena,
-                                   mt_variable_outline *moving) {
+                                   mt_variable_outline *variable) {
     size_t room = (size_t)morph->contour_count + (size_t)morph->links.count;
     mt_variable_outline made = {morph->contour_count, mt_arena_new(arena, room, sizeof(mt_contour_pair))};
     if (!made.contours) return MT_NO_MEMORY;
@@ -25,12 +32,12 @@ mt_status mt_variable_outline_make(const mt_morph *morph, const mt_params *param
                                            arena, &made.contours[made.count++]);
         if (status != MT_OK) return status;
     }
-    mt_status status = mt_overlap_seams(morph, mt_grid_units(LAP), arena, &made);
-    if (status == MT_OK) *moving = made;
+    mt_status status = mt_overlap_seams(morph, mt_grid_units(SEAM_OVERLAP), arena, &made);
+    if (status == MT_OK) *variable = made;
     return status;
 }
 
-/* ---- places on the way --------------------------------------------------------------------------------- */
+/* ---- one place ----------------------------------------------------------------------------------------- */
 
 static void turn_contour(const mt_morph *morph, mt_weights weights, mt_contour *contour) {
     for (int i = 0; i < contour->count; i++) {
@@ -40,12 +47,12 @@ static void turn_contour(const mt_morph *morph, mt_weights weights, mt_contour *
     }
 }
 
-mt_status mt_variable_outline_at(const mt_morph *morph, const mt_variable_outline *moving, mt_weights weights,
-                                 mt_arena *arena, mt_outline *outline) {
-    mt_outline made = {moving->count, mt_arena_new(arena, (size_t)moving->count, sizeof(mt_contour))};
+mt_status mt_variable_outline_at(const mt_morph *morph, const mt_variable_outline *variable,
+                                 mt_weights weights, mt_arena *arena, mt_outline *outline) {
+    mt_outline made = {variable->count, mt_arena_new(arena, (size_t)variable->count, sizeof(mt_contour))};
     if (!made.contours) return MT_NO_MEMORY;
-    for (int i = 0; i < moving->count; i++) {
-        mt_status status = mt_contour_pair_mix(&moving->contours[i], weights, arena, &made.contours[i]);
+    for (int i = 0; i < variable->count; i++) {
+        mt_status status = mt_contour_pair_mix(&variable->contours[i], weights, arena, &made.contours[i]);
         if (status != MT_OK) return status;
         turn_contour(morph, weights, &made.contours[i]);
     }
@@ -55,7 +62,7 @@ mt_status mt_variable_outline_at(const mt_morph *morph, const mt_variable_outlin
 
 /* ---- rotation ------------------------------------------------------------------------------------------ */
 
-/* How far a point is from the middle it is turned about, and how much of that changes on the way. */
+/* Raises *radius to a point's distance from the middle that it is turned about, and *change to the difference of both ends'. */
 static void measure(mt_point a, mt_point middle_a, mt_point b, mt_point middle_b, double *radius,
                     double *change) {
     double ax = a.x - middle_a.x, ay = a.y - middle_a.y, bx = b.x - middle_b.x, by = b.y - middle_b.y;
@@ -63,23 +70,22 @@ static void measure(mt_point a, mt_point middle_a, mt_point b, mt_point middle_b
     *change = fmax(*change, hypot(bx - ax, by - ay));
 }
 
-/* Whether a contour turns off its straight way half-way (mt_contour_pair.displacement). */
-static bool is_displaced(const mt_variable_outline *moving) {
-    for (int i = 0; i < moving->count; i++)
-        if (!mt_point_equal(moving->contours[i].displacement, (mt_point){0, 0})) return true;
+/* Whether a contour is displaced half-way. */
+static bool is_displaced(const mt_variable_outline *variable) {
+    for (int i = 0; i < variable->count; i++)
+        if (!mt_point_equal(variable->contours[i].displacement, (mt_point){0, 0})) return true;
     return false;
 }
 
-/* A point is turned by an angle that grows with T about a middle, as its distance from it changes evenly. The second derivative of
- * its way is then at most q²·radius + 2q·change (q in radians), and a flatness over 1/n of it departs by an eighth of that over n². */
-int mt_variable_outline_steps(const mt_morph *morph, const mt_variable_outline *moving, double bound) {
+int mt_variable_outline_steps(const mt_morph *morph, const mt_variable_outline *variable, double bound) {
     double radius = 0, change = 0, q = fabs(morph->degrees) * (M_PI / 180);
     mt_point a = mt_box_middle(morph->a.box), b = mt_box_middle(morph->b.box);
-    int parts = is_displaced(moving) ? 2 : 1;
+    int parts = is_displaced(variable) ? 2 : 1;
     if (morph->degrees == 0) return parts;
-    for (int i = 0; i < moving->count; i++)
-        for (int k = 0; k < moving->contours[i].a.count; k++) {
-            const mt_segment *s = &moving->contours[i].a.segments[k], *t = &moving->contours[i].b.segments[k];
+    for (int i = 0; i < variable->count; i++)
+        for (int k = 0; k < variable->contours[i].a.count; k++) {
+            const mt_segment *s = &variable->contours[i].a.segments[k],
+                             *t = &variable->contours[i].b.segments[k];
             measure(s->end, a, t->end, b, &radius, &change);
             if (s->degree == 2) measure(s->control[0], a, t->control[0], b, &radius, &change);
         }

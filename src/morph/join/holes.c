@@ -1,3 +1,11 @@
+/* Holes of two parts: paired, slit open, or closed.
+ *
+ *     ┌──────┐  paired: mt_pair_rings, at any cost, so that as many holes as can be have a counterpart
+ *     │ o  h │  slit:   h has none, and opening it into another ring makes that ring align better (slit.c); then again from the start
+ *     └──────┘  closed: h shrinks to one point, the barycentre of the piece of the other part's ink nearest to its own place
+ *
+ * Invariants: the side with more ink is looked at first, so that swapping A and B swaps the result; a closed ring ends within the ink.
+ * O(h²) alignments for h holes, again after each slit. */
 #include "morph/join/holes.h"
 
 #include <math.h>
@@ -22,8 +30,7 @@ static double apart(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box
     return hypot(px - qx, py - qy);
 }
 
-/* A point in the ink: the barycentre of the piece that lies nearest to the ring's own place. A piece is convex, so its barycentre
- * is inside it. */
+/* A point in the ink: the barycentre of the piece nearest to the ring's own place. A piece is convex and contains its barycentre. */
 static mt_status point_inside(const mt_ring *ring, mt_box box, const mt_shape *ink, mt_box ink_box,
                               mt_arena *arena, mt_point *found) {
     double least = INFINITY;
@@ -96,7 +103,7 @@ static mt_status pair(mt_joining *j, mt_hole_pairs *pairs) {
 
 /* ---- slits --------------------------------------------------------------------------------------------- */
 
-/* Slits one hole of a side open, when one without a counterpart can be. */
+/* Slits one hole of a side open, if one without a counterpart can be. */
 static mt_status open_one(mt_joining *j, int side, const mt_hole_pairs *pairs, bool *opened) {
     mt_part *own = part(j, side), *other = part(j, 1 - side);
     const int *partner = side == 0 ? pairs->in_b : pairs->in_a;
@@ -116,7 +123,7 @@ static mt_status open_one(mt_joining *j, int side, const mt_hole_pairs *pairs, b
     return status;
 }
 
-/* The side to look at first, by an order that does not ask which of them is A: the one with more ink. */
+/* The side to look at first, by an order of their own: the one with more ink. */
 static int first_side(const mt_joining *j) {
     return mt_component_area2(j->a.component) < mt_component_area2(j->b.component);
 }

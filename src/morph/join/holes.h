@@ -4,7 +4,7 @@
 
 #include "morph/join/joining.h"
 
-/* Which holes of the two parts go together, by their indices; 0 where a hole has no counterpart. */
+/* The counterpart of each hole, by its index among the other part's rings; 0: none. */
 typedef struct mt_hole_pairs {
     int *in_b; /* of each ring of A */
     int *in_a; /* of each ring of B */
@@ -14,7 +14,7 @@ typedef struct mt_hole_pairs {
  * fewer rings afterwards. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
 mt_status mt_pair_holes(mt_joining *j, mt_hole_pairs *pairs);
 
-/* What a ring without a counterpart closes into. */
+/* The ink into which a ring without a counterpart closes. */
 typedef struct mt_closing {
     mt_box box; /* of the ring's glyph */
     const mt_shape *ink;
@@ -22,8 +22,8 @@ typedef struct mt_closing {
     const mt_params *params;
 } mt_closing;
 
-/* A ring's own contour on the one side, all of it at one point on the other, in the ink there. *masters is empty when the ring is a
- * seam (mt_fit). As above. */
+/* A contour pair: the ring's own contour on its side, all of it at one point of the ink on the other. *masters is empty when the ring
+ * is a seam (mt_fit). As above. */
 mt_status mt_close_ring(const mt_ring *ring, bool in_a, const mt_closing *closing, mt_arena *arena,
                         mt_contour_pair *masters);
 

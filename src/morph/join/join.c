@@ -1,3 +1,12 @@
+/* One pair of parts joined: a contour pair for each pair of rings.
+ *
+ *     A ┌──────┐       B ╭──────╮     outer with outer, o with o': aligned (align.c) and fitted (contour_pair.c)
+ *       │ o  h │         │ o'   │     h has no counterpart: slit open (slit.c), or it closes to a point in B's ink
+ *       └──────┘         ╰──────╯
+ *
+ * Parts that are the same points, shifted, are not aligned: one fit serves both, so that theorem 1 of section 2.3 holds for them exactly.
+ * A pair is left to the paper's links where an alignment costs more than the caller allows, or where the half-way contours cover more than
+ * OVERLAP_MOST of their ink twice, or miss it. O(n m) for n and m samples of two rings, but for slits. */
 #include "morph/join/join.h"
 
 #include <math.h>
@@ -10,26 +19,26 @@
 #include "morph/fit/smooth.h"
 #include "morph/join/holes.h"
 
-/* Places along a ring that are aligned, at least; more where the drawing has more vertices. */
-#define STOPS_A_RING 140.0
+/* Samples of a ring that are aligned, at least; more where the drawing has more vertices. */
+#define RING_SAMPLES 140.0
 
-/* How far a master may depart from its curve for the sake of smoothness on the way, in tolerances of the fit. */
+/* The most by which a master may depart from its curve to be smooth in between, in tolerances of the fit. */
 #define SMOOTHING 2.0
 
-/* How much of the half-way ink contours may cover twice, or miss. */
+/* The most that half-way contours may cover twice, or miss, of their ink. */
 #define OVERLAP_MOST 0.25
 
 /* ---- two rings ----------------------------------------------------------------------------------------- */
 
-/* Aligns two rings and fits a contour to them. *cost: of the alignment. */
+/* Aligns two rings and fits a contour pair to them. *cost: of the alignment. */
 static mt_status fit_rings(const mt_joining *j, const mt_ring *p, const mt_ring *q, mt_contour_pair *masters,
                            double *cost) {
     mt_ring_samples a, b;
     mt_links pins;
     mt_alignment alignment;
     double flatness = j->context->settings.flatness, fit = mt_grid_units(j->context->params->fit);
-    mt_status status = mt_ring_samples_at_least(p, flatness, STOPS_A_RING, j->arena, &a);
-    if (status == MT_OK) status = mt_ring_samples_at_least(q, flatness, STOPS_A_RING, j->arena, &b);
+    mt_status status = mt_ring_samples_at_least(p, flatness, RING_SAMPLES, j->arena, &a);
+    if (status == MT_OK) status = mt_ring_samples_at_least(q, flatness, RING_SAMPLES, j->arena, &b);
     if (status == MT_OK) status = mt_pins_of(j->context->hints, &a, &b, j->arena, &pins);
     if (status == MT_OK)
         status =
@@ -40,25 +49,25 @@ static mt_status fit_rings(const mt_joining *j, const mt_ring *p, const mt_ring 
     return status == MT_OK ? mt_contour_pair_smooth(masters, SMOOTHING * fit, j->arena) : status;
 }
 
-/* The same, where it has not been done before. Hints pin rings otherwise in each case. */
+/* The same by the cache. With hints, which pin rings, nothing is cached. */
 static mt_status join_rings(mt_joining *j, const mt_ring *p, const mt_ring *q, mt_contour_pair *masters) {
     mt_alignment_cache *cache = j->context->hints->count ? NULL : j->context->settings.cache;
-    mt_cache_key of = {p, q, j->a.box, j->b.box, j->context->settings.align, true};
-    const mt_cache_entry *before = mt_alignment_cache_find(cache, &of);
+    mt_cache_key key = {p, q, j->a.box, j->b.box, j->context->settings.align, true};
+    const mt_cache_entry *before = mt_alignment_cache_find(cache, &key);
     double cost = before ? before->cost : 0;
     mt_status status = MT_OK;
     if (before)
         *masters = before->pair;
     else
         status = fit_rings(j, p, q, masters, &cost);
-    if (status == MT_OK && !before) status = mt_alignment_cache_add(cache, &of, cost, masters, j->arena);
+    if (status == MT_OK && !before) status = mt_alignment_cache_add(cache, &key, cost, masters, j->arena);
     j->costliest = fmax(j->costliest, cost);
     return status;
 }
 
-/* ---- whether it can be drawn --------------------------------------------------------------------------- */
+/* ---- drawable contours --------------------------------------------------------------------------- */
 
-/* Whether the half-way contours keep clear of themselves and of each other, but for a little. */
+/* Whether the half-way contours hardly overlap themselves or each other. */
 static mt_status is_drawable(const mt_joining *j, const mt_contour_pair *contours, int count,
                              bool *drawable) {
     mt_outline outline = {count, mt_arena_new(j->arena, (size_t)count, sizeof(mt_contour))};
@@ -76,10 +85,10 @@ static mt_status is_drawable(const mt_joining *j, const mt_contour_pair *contour
     return MT_OK;
 }
 
-/* ---- parts that are alike ------------------------------------------------------------------------------ */
+/* ---- equal parts ------------------------------------------------------------------------------ */
 
-/* Whether b is a, moved: the same points all by the same way. */
-static bool is_moved(const mt_component *a, const mt_component *b, mt_point *by) {
+/* Whether b is a, shifted: the same points, all by the same vector. */
+static bool is_shifted(const mt_component *a, const mt_component *b, mt_point *by) {
     if (a->count != b->count) return false;
     mt_point p = a->rings[0].points[0], q = b->rings[0].points[0];
     *by = (mt_point){q.x - p.x, q.y - p.y};
@@ -93,26 +102,27 @@ static bool is_moved(const mt_component *a, const mt_component *b, mt_point *by)
     return true;
 }
 
-static mt_status moved_contour(const mt_contour *contour, mt_point by, mt_arena *arena, mt_contour *moved) {
-    *moved = (mt_contour){contour->count, mt_arena_new(arena, (size_t)contour->count, sizeof(mt_segment))};
-    if (!moved->segments) return MT_NO_MEMORY;
+static mt_status shifted_contour(const mt_contour *contour, mt_point by, mt_arena *arena,
+                                 mt_contour *shifted) {
+    *shifted = (mt_contour){contour->count, mt_arena_new(arena, (size_t)contour->count, sizeof(mt_segment))};
+    if (!shifted->segments) return MT_NO_MEMORY;
     for (int i = 0; i < contour->count; i++) {
         mt_segment s = contour->segments[i];
         s.control[0] = (mt_point){s.control[0].x + by.x, s.control[0].y + by.y};
         s.end = (mt_point){s.end.x + by.x, s.end.y + by.y};
-        moved->segments[i] = s;
+        shifted->segments[i] = s;
     }
     return MT_OK;
 }
 
-/* Theorem 1 for a part: where both are alike, there is nothing to align, and each in-between is alike too. */
-static mt_status join_alike(const mt_joining *j, mt_point by, mt_contour_pair *contours, int *count) {
+/* Theorem 1 for a part: both are equal but for a shift, and so is each in-between. */
+static mt_status join_equal(const mt_joining *j, mt_point by, mt_contour_pair *contours, int *count) {
     mt_outline outline;
     double tolerance = j->context->settings.flatness, fit = mt_grid_units(j->context->params->fit);
     mt_status status = mt_fit(j->a.component, tolerance, fit, j->arena, &outline);
     for (int i = 0; status == MT_OK && i < outline.count; i++) {
         contours[*count].a = outline.contours[i];
-        status = moved_contour(&outline.contours[i], by, j->arena, &contours[(*count)++].b);
+        status = shifted_contour(&outline.contours[i], by, j->arena, &contours[(*count)++].b);
     }
     return status;
 }
@@ -148,7 +158,7 @@ mt_status mt_join(mt_part a, mt_part b, double most, const mt_join_context *cont
                   mt_contour_pair *contours, int *count) {
     mt_joining j = {a, b, context, arena, 0};
     mt_point by;
-    if (is_moved(a.component, b.component, &by)) return join_alike(&j, by, contours, count);
+    if (is_shifted(a.component, b.component, &by)) return join_equal(&j, by, contours, count);
     int before = *count;
     bool drawable = false;
     mt_status status = join_all(&j, contours, count);

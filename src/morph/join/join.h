@@ -1,4 +1,4 @@
-/* Joining two matched components, or parts of components: one moving contour for each pair of rings. */
+/* Joining two matched components, or parts of components: one contour pair for each pair of rings. */
 #ifndef MT_MORPH_JOIN_JOIN_H
 #define MT_MORPH_JOIN_JOIN_H
 
@@ -7,7 +7,7 @@
 /* Joins two parts: their outer rings and those holes that have a counterpart are aligned, and a contour is fitted to each pair.
  * A hole without a counterpart is slit open, or closes to a point inside the other part's ink. Appends to contours[*count]
  * at most as many contours as both have rings; none when aligning a pair of rings costs more than `most`, or the half-way
- * contours would lie too much over themselves or each other. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
+ * contours overlap themselves or each other too much. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
 mt_status mt_join(mt_part a, mt_part b, double most, const mt_join_context *context, mt_arena *arena,
                   mt_contour_pair *contours, int *count);
 

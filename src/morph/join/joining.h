@@ -1,4 +1,4 @@
-/* Two parts that are joined, and what it takes. */
+/* The state of joining two parts. */
 #ifndef MT_MORPH_JOIN_JOINING_H
 #define MT_MORPH_JOIN_JOINING_H
 
@@ -11,12 +11,11 @@ typedef struct mt_part {
     mt_box box;
 } mt_part;
 
-/* Two parts on their way to each other, and what it takes. */
 typedef struct mt_joining {
     mt_part a, b;
     const mt_join_context *context;
     mt_arena *arena;
-    double costliest; /* of the alignments so far (align.h) */
+    double costliest; /* the largest cost of their alignments so far (align/align.h) */
 } mt_joining;
 
 #endif

@@ -1,3 +1,11 @@
+/* The joint method for one set of settings (docs/paper.md, the joint method, steps 1 to 6).
+ *
+ * 1. Where every component has one counterpart with as many holes, all pairs are joined as they are, at a cost up to PLAIN_MOST each.
+ * 2. Otherwise, or where a pair costs more, both sides are cut until their parts correspond (reconcile.c). If both sides have more parts
+ *    than either had components, cuts are extended (extended_cuts.c). Partners are joined at any cost.
+ * 3. Parts that only one side has left grow out of the other's ink; parts that both have left are matched all with all, for the links.
+ * 4. Where 2 leaves parts without contours, 1 is done again with PLAIN_LAST.
+ * Invariants: contours are sorted by area, so that their order does not depend on which side is A; an aligned component has no pieces. */
 #include "morph/join/joint.h"
 
 #include <math.h>
@@ -9,9 +17,9 @@
 #include "morph/join/holes.h"
 #include "morph/join/join.h"
 
-/* What aligning two components as they are may cost: more than that, they are not built alike, … */
+/* The most that aligning two components as they are may cost before cutting is tried, … */
 #define PLAIN_MOST 0.8
-/* … but unless it is more than that, still better than by links, when cutting does not help. */
+/* … and after cutting has left parts without contours: up to here, contours are better than links. */
 #define PLAIN_LAST 1.5
 
 typedef struct mt_join_state {
@@ -30,7 +38,7 @@ static size_t rings_in(const mt_shape *shape) {
     return rings;
 }
 
-/* Room for the contours, and for what is aligned. */
+/* Room for the contours and the aligned flags. */
 static mt_status start(mt_join_state *state) {
     mt_morph *m = state->morph;
     m->contour_count = 0;
@@ -41,7 +49,7 @@ static mt_status start(mt_join_state *state) {
     return m->contours && m->a.aligned && m->b.aligned ? MT_OK : MT_NO_MEMORY;
 }
 
-/* Joins a match; both components are aligned when that went well. */
+/* Joins a match; both components are aligned if it has contours then. */
 static mt_status join_match(mt_join_state *state, mt_link match, double most) {
     mt_morph *m = state->morph;
     int before = m->contour_count;
@@ -83,7 +91,7 @@ static int without_partner(const mt_cut_side *cut) {
     return count;
 }
 
-/* The matches of the parts: partners, and what is left of both sides with all that is left of the other. */
+/* The matches of the parts: partners, and every part left on one side with every part left on the other. */
 static mt_status match_parts(mt_join_state *state, const mt_cut_side *a, const mt_cut_side *b) {
     size_t rest = (size_t)without_partner(a) * (size_t)without_partner(b);
     mt_links made = {0, mt_arena_new(state->arena, rest + (size_t)a->parts.count, sizeof(mt_link))};
@@ -97,7 +105,7 @@ static mt_status match_parts(mt_join_state *state, const mt_cut_side *a, const m
     return MT_OK;
 }
 
-/* What only one side has grows out of the ink of the other. */
+/* Parts that only one side has left grow out of the ink of the other. */
 static mt_status join_rest(mt_join_state *state, const mt_cut_side *cut, bool in_a) {
     mt_morph *m = state->morph;
     mt_side *side = in_a ? &m->a : &m->b, *other = in_a ? &m->b : &m->a;
@@ -115,7 +123,7 @@ static mt_status join_rest(mt_join_state *state, const mt_cut_side *cut, bool in
     return MT_OK;
 }
 
-/* Whether there are more parts than either side has components: on the way there would be more parts than at both ends. */
+/* Whether both sides have more parts than either has components: in-betweens would have more components than both ends. */
 static bool is_cut_twice(const mt_morph *m, const mt_cut_side *a, const mt_cut_side *b) {
     return a->parts.count > m->a.shape.count && a->parts.count > m->b.shape.count &&
            b->parts.count > m->a.shape.count && b->parts.count > m->b.shape.count;
@@ -149,7 +157,7 @@ static bool all_aligned(const mt_side *side) {
     return true;
 }
 
-/* As they are where they can be, else cut, else as they are all the same. */
+/* As they are where they can be, else cut, else as they are at PLAIN_LAST. */
 static mt_status join_all(mt_morph *morph, const mt_join_context *context, mt_arena *arena) {
     mt_morph whole = *morph;
     mt_join_state state = {morph, context, arena};
@@ -164,7 +172,7 @@ static mt_status join_all(mt_morph *morph, const mt_join_context *context, mt_ar
     return status;
 }
 
-/* The largest first, half-way; of equal ones the one that begins more to the left, or lower. */
+/* By area half-way, the largest first; of equal ones the one that begins further left, or lower. */
 static int compare_contours(const void *p, const void *q) {
     const mt_contour_pair *one = p, *other = q;
     double area = mt_contour_pair_area(one), beside = mt_contour_pair_area(other);
@@ -175,7 +183,6 @@ static int compare_contours(const void *p, const void *q) {
     return x != 0 ? (x > 0) - (x < 0) : (y > 0) - (y < 0);
 }
 
-/* The order of the contours is the same whichever shape is A: that way the same one is the first to be mended (sound.c). */
 mt_status mt_joint(mt_morph *morph, const mt_join_context *context, mt_arena *arena) {
     mt_status status = join_all(morph, context, arena);
     if (status == MT_OK)
