@@ -54,8 +54,8 @@ mt_topology_error mt_test_mend(mt_arena *arena, mt_mend mend, mt_morph *morph) {
     mt_mending m = {.morph = morph, .params = &params, .arena = arena, .effort = INT64_MAX};
     mt_assert_ok(mt_mend_begin(&m));
     mt_assert_ok(mend(&m));
-    assert_int_equal(m.by.parts, mt_test_topology_error(arena, morph).parts);
-    return m.by;
+    assert_int_equal(m.error.parts, mt_test_topology_error(arena, morph).parts);
+    return m.error;
 }
 
 double mt_test_displacement(const mt_morph *morph, int contour) {

@@ -44,8 +44,8 @@ static void looking_is_charged(void **state) {
     (void)state;
     mt_morph morph = coming_apart();
     mt_mending m = mending_of(&morph, ENOUGH);
-    assert_int_equal(m.effort, ENOUGH - m.by.corners);
-    assert_true(m.by.corners >= 19 * 8 && m.by.corners <= 2 * 19 * 8);
+    assert_int_equal(m.effort, ENOUGH - m.error.corners);
+    assert_true(m.error.corners >= 19 * 8 && m.error.corners <= 2 * 19 * 8);
     int64_t before = m.effort;
     mt_shape shape;
     mt_assert_ok(mt_mend_shape(&m, 0.5, MT_NONZERO, &shape));
@@ -57,16 +57,16 @@ static void better_is_what_strays_less(void **state) {
     (void)state;
     mt_morph morph = coming_apart();
     mt_mending m = mending_of(&morph, ENOUGH);
-    int before = m.by.parts;
+    int before = m.error.parts;
     bool better;
     assert_true(before > 0);
     mt_assert_ok(mt_mend_compare(&m, &better));
     assert_false(better);
-    assert_int_equal(m.by.parts, before);
+    assert_int_equal(m.error.parts, before);
     mt_shift_contour(&morph.contours[1], (mt_point){-30 * UNIT, -30 * UNIT});
     mt_assert_ok(mt_mend_compare(&m, &better));
     assert_true(better);
-    assert_int_equal(m.by.parts, 0);
+    assert_int_equal(m.error.parts, 0);
     assert_false(mt_mend_goes_on(&m));
 }
 
@@ -74,10 +74,10 @@ static void without_effort_nothing_changes(void **state) {
     (void)state;
     mt_morph morph = coming_apart();
     mt_mending m = mending_of(&morph, 1);
-    int before = m.by.parts;
+    int before = m.error.parts;
     assert_false(mt_mend_goes_on(&m));
     mt_assert_ok(mt_reconnect_parts(&m));
-    assert_int_equal(m.by.parts, before);
+    assert_int_equal(m.error.parts, before);
     assert_int_equal(morph.contours[0].displacement.x, 0);
     assert_int_equal(morph.contours[1].displacement.x, 55 * UNIT);
 }

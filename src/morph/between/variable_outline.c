@@ -1,8 +1,8 @@
 /* A morph as contours that vary (section 2.3 for all r at once), and the steps that a rotation takes.
  *
- *     A ●╌╌╌╌╌╌● B     without rotation a point moves on a straight line: one step
- *       ╲  ▁▁▁╱        with formula (5) on an arc: q · r about a middle, the radius changes evenly; its second derivative is at most
- *        ▔▔            q² · radius + 2 q · change, and a chord over 1/n of it departs by an eighth of that over n²
+ * Without rotation a point moves on a straight line, in one step. With formula (5) it turns by (1 − r) q about a middle while its distance
+ * from that changes evenly: the second derivative of its path is at most q² · radius + 2 q · change, q in radians, and a chord over 1/n of
+ * the path departs from it by at most an eighth of that over n².
  *
  * Contours beside a cut are made to overlap (seam_overlap.c): rounded to whole units, they would leave a hairline. Invariant: as many
  * contours, and segments of the same degrees, in both masters. O(n) for n segments, but for the links' fits and the seams. */

@@ -1,3 +1,9 @@
+/* The components of both ends that a contour belongs to, and displacements half-way.
+ *
+ *     displacement(T) = 2 · min(T, 1 − T) · d:     A ●╌╌╌╌╲        d is tried in 8 directions, at 2, 4, 8, 16, 32 and 48/1000 em
+ *                                                         ╱ d      the first in this order that helps is the least one
+ *                                                  B ●╌╌╌╱
+ * Invariant: both ends stay as they are. O(n) for n contours, but for finding components. */
 #include "morph/check/contour_origin.h"
 
 #include <math.h>

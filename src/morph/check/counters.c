@@ -1,3 +1,5 @@
+/* Keeping holes closed that break open in between though both ends have them. The contour of an open hole is displaced half-way by the one of
+ * the displacements (contour_origin.c) that leaves the least error. Invariants: those of mend.c. */
 #include "morph/check/counters.h"
 
 #include "geometry/limits.h"
@@ -7,7 +9,7 @@
 
 /* ---- a place ------------------------------------------------------------------------------------------------- */
 
-/* Holes as they are meant: one that leaves its ink is none, though the nonzero rule draws it. */
+/* Holes as they are meant (MT_POSITIVE). */
 static mt_status holes_at(mt_mending *m, double t, mt_shape *shape, int *holes) {
     mt_status status = mt_mend_shape(m, t, MT_POSITIVE, shape);
     if (status == MT_OK) *holes = mt_topology_of(shape).holes;
@@ -21,7 +23,7 @@ static bool has_hole_of_area(const mt_shape *shape, int64_t area2) {
     return false;
 }
 
-/* Whether a contour runs around a hole, and not all of what it runs around is one at this place. */
+/* Whether a contour bounds a hole, and the area within is not just a hole at this place. */
 static mt_status is_open(const mt_mending *m, int contour, double t, const mt_shape *shape, bool *open) {
     const mt_contour_pair *masters = &m->morph->contours[contour];
     mt_contour mixed;
@@ -37,7 +39,7 @@ static mt_status is_open(const mt_mending *m, int contour, double t, const mt_sh
 
 /* ---- keeping clear ------------------------------------------------------------------------------------------- */
 
-/* *better: there are more than `holes` at the place now, and the glyph strays less. */
+/* *better: there are more than `holes` at the place now, and the morph has less error. */
 static mt_status look(mt_mending *m, double t, int holes, bool *better) {
     mt_arena_place before = mt_arena_mark(m->arena);
     mt_shape shape;
@@ -48,7 +50,7 @@ static mt_status look(mt_mending *m, double t, int holes, bool *better) {
     return status == MT_OK && now > holes ? mt_mend_compare(m, better) : status;
 }
 
-/* Lets a hole's contour go the way, of those that are tried, on which the glyph strays least. */
+/* Displaces a hole's contour as leaves the least error. */
 static mt_status keep_clear(mt_mending *m, int hole, double t, int holes) {
     mt_contour_pair *contour = &m->morph->contours[hole];
     mt_point best = {0, 0};
@@ -65,18 +67,18 @@ static mt_status keep_clear(mt_mending *m, int hole, double t, int holes) {
     return MT_OK;
 }
 
-/* Keeps the holes that are open at a place. *closed: none are missing there, or the glyph strays less now. */
+/* Keeps the holes that are open at a place. *closed: none are missing there, or there is less error now. */
 static mt_status keep_at(mt_mending *m, const void *stage, double t, bool *closed) {
     const int *least = stage; /* the least holes that an end has */
     mt_shape shape;
-    int holes, before = m->by.parts;
+    int holes, before = m->error.parts;
     mt_status status = holes_at(m, t, &shape, &holes);
     for (int i = 0; status == MT_OK && holes < *least && i < m->morph->contour_count; i++) {
         bool open;
         status = is_open(m, i, t, &shape, &open);
         if (status == MT_OK && open) status = keep_clear(m, i, t, holes);
     }
-    *closed = status == MT_OK && (holes >= *least || m->by.parts < before);
+    *closed = status == MT_OK && (holes >= *least || m->error.parts < before);
     return status;
 }
 

@@ -1,3 +1,6 @@
+/* The steps of repairing a morph's topology: a stage displaces contours half-way, and a displacement stays only where the error of the whole
+ * morph is less then. Invariants: the error never grows; effort falls with each corner of a blend looked at, and nothing is looked at
+ * without effort left, so that the work is bounded on any glyph and the same on any machine. */
 #include "morph/check/mend.h"
 
 #include <limits.h>
@@ -5,25 +8,25 @@
 #include "geometry/limits.h"
 #include "morph/between/instance.h"
 
-static mt_status look(mt_mending *m, int enough, mt_topology_error *by) {
-    mt_status status = mt_morph_topology_error(m->morph, enough, m->params, m->arena, by);
-    if (status == MT_OK) m->effort -= by->corners;
+static mt_status look(mt_mending *m, int enough, mt_topology_error *error) {
+    mt_status status = mt_morph_topology_error(m->morph, enough, m->params, m->arena, error);
+    if (status == MT_OK) m->effort -= error->corners;
     return status;
 }
 
 mt_status mt_mend_begin(mt_mending *m) {
-    return look(m, INT_MAX, &m->by);
+    return look(m, INT_MAX, &m->error);
 }
 
 bool mt_mend_goes_on(const mt_mending *m) {
-    return m->by.parts > 0 && m->effort > 0;
+    return m->error.parts > 0 && m->effort > 0;
 }
 
 mt_status mt_mend_compare(mt_mending *m, bool *better) {
-    mt_topology_error by;
-    mt_status status = look(m, m->by.parts, &by);
-    *better = status == MT_OK && by.parts < m->by.parts;
-    if (*better) m->by = by;
+    mt_topology_error error;
+    mt_status status = look(m, m->error.parts, &error);
+    *better = status == MT_OK && error.parts < m->error.parts;
+    if (*better) m->error = error;
     return status;
 }
 

@@ -1,3 +1,10 @@
+/* Counting components and holes at MT_TOPOLOGY_STEPS places between the ends, and comparing them with both ends'.
+ *
+ *     A: 2 components       in-between: 3       B: 1 component       error 1: the range of the ends is 1 … 2
+ *     A: 1 hole             in-between: 0       B: 1 hole            error 1, of which 1 opened
+ *
+ * A place with an error is looked at again with chords MT_OVERLAP_CARE times as fine, since chords may touch where curves do not. Seams
+ * and crumbs do not count. Invariant: 0 for a morph from a shape to itself. O(n log n) in practice for n corners at each place. */
 #include "morph/check/topology.h"
 
 #include <math.h>
@@ -59,7 +66,7 @@ static int fewer_than_both(int count, int a, int b) {
     return count < a && count < b ? mt_count_excess(count, a, b) : 0;
 }
 
-static mt_topology_error straying(const mt_topology *at, const mt_topology *a, const mt_topology *b) {
+static mt_topology_error error_of(const mt_topology *at, const mt_topology *a, const mt_topology *b) {
     return (mt_topology_error){.parts = mt_count_excess(at->components, a->components, b->components) +
                                         mt_count_excess(at->holes, a->holes, b->holes),
                                .merged = fewer_than_both(at->components, a->components, b->components),
@@ -72,8 +79,8 @@ static mt_topology_error worse(mt_topology_error p, mt_topology_error q) {
 }
 
 /* At one place, flattened within the params' tolerance: as it is drawn and, where rings lie over one another, as it is meant. */
-static mt_status stray_at(const mt_morph *morph, const mt_topology ends[2], double t, const mt_params *params,
-                          mt_arena *arena, mt_topology_error *by) {
+static mt_status error_at(const mt_morph *morph, const mt_topology ends[2], double t, const mt_params *params,
+                          mt_arena *arena, mt_topology_error *error) {
     mt_arena_place before = mt_arena_mark(arena);
     mt_rings rings;
     mt_shape drawn, meant;
@@ -82,21 +89,21 @@ static mt_status stray_at(const mt_morph *morph, const mt_topology ends[2], doub
     if (status == MT_OK) status = mt_union_unmarked(&rings, MT_NONZERO, arena, &drawn);
     if (status == MT_OK) {
         at = mt_topology_of(&drawn);
-        *by = straying(&at, &ends[0], &ends[1]);
+        *error = error_of(&at, &ends[0], &ends[1]);
     }
     if (status == MT_OK && mt_component_area2(&rings) != mt_shape_area2(&drawn)) {
         status = mt_union_unmarked(&rings, MT_POSITIVE, arena, &meant);
         if (status == MT_OK) at = mt_topology_of(&meant);
-        if (status == MT_OK) *by = worse(*by, straying(&at, &ends[0], &ends[1]));
+        if (status == MT_OK) *error = worse(*error, error_of(&at, &ends[0], &ends[1]));
     }
-    if (status == MT_OK) by->corners = mt_rings_corners(&rings);
+    if (status == MT_OK) error->corners = mt_rings_corners(&rings);
     mt_arena_rewind(arena, before);
     return status;
 }
 
 /* Chords may touch where the curves do not: what strays is looked at again, more finely. */
 mt_status mt_morph_topology_error(const mt_morph *morph, int enough, const mt_params *params, mt_arena *arena,
-                                  mt_topology_error *by) {
+                                  mt_topology_error *error) {
     const mt_topology ends[] = {mt_topology_of(&morph->a.whole), mt_topology_of(&morph->b.whole)};
     mt_params fine = *params;
     mt_topology_error all = {0};
@@ -104,10 +111,10 @@ mt_status mt_morph_topology_error(const mt_morph *morph, int enough, const mt_pa
     for (int i = 0; all.parts < enough && i < MT_TOPOLOGY_STEPS; i++) {
         mt_topology_error here;
         double t = mt_topology_position(morph, i);
-        mt_status status = stray_at(morph, ends, t, params, arena, &here);
+        mt_status status = error_at(morph, ends, t, params, arena, &here);
         if (status == MT_OK) all.corners += here.corners;
         if (status == MT_OK && here.parts > 0) {
-            status = stray_at(morph, ends, t, &fine, arena, &here);
+            status = error_at(morph, ends, t, &fine, arena, &here);
             all.corners += here.corners;
         }
         if (status != MT_OK) return status;
@@ -116,6 +123,6 @@ mt_status mt_morph_topology_error(const mt_morph *morph, int enough, const mt_pa
         all.opened += here.opened;
         all.ink = fmax(all.ink, here.ink);
     }
-    *by = all;
+    *error = all;
     return MT_OK;
 }
