@@ -1,4 +1,4 @@
-/* One contour for two aligned rings: the same lines and quadratics fitted to both (docs/paper.md, the joint method, step 5).
+/* One contour for two aligned rings: the same lines and quadratics fitted to both (docs/joining.md, step 9).
  *
  *     A  ●────●╮        Steps of the alignment pair samples of A and B. Runs between breaks are fitted by mt_spline, both masters
  *        │  run ╲       at once: breaks are corners of either ring (●) and the ends of lines that both have.

@@ -1,4 +1,4 @@
-/* The joint method for one set of settings (docs/paper.md, the joint method, steps 1 to 6).
+/* The joint method for one set of settings (docs/joining.md, steps 1 to 10).
  *
  * 1. Where every component has one counterpart with as many holes, all pairs are joined as they are, at a cost up to PLAIN_MOST each.
  * 2. Otherwise, or where a pair costs more, both sides are cut until their parts correspond (reconcile.c). If both sides have more parts
