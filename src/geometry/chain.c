@@ -1,10 +1,14 @@
-/* A point of the chain is a linear function of the controls around it, as long as its parameter and the shares are held:
+/* A chain of quadratics fitted to samples of two masters at once, by least squares (Gauss–Newton).
  *
- *     q = (1 - t)² p[k] + 2 t (1 - t) c[k] + t² p[k + 1],   p[k] = (1 - s[k]) c[k - 1] + s[k] c[k]
+ *     p[0]      c[1]      Nodes ● lie between neighbouring control points, at the same share s in both masters:
+ *      ●╮    ╭─●─╮        q = (1 - t)² p[k] + 2 t (1 - t) c[k] + t² p[k + 1],   p[k] = (1 - s[k]) c[k - 1] + s[k] c[k]
+ *       ╰─●──╯   ╰─●      so that a point is linear in the controls around it, as long as t and the shares are held.
+ *     c[0] p[1]  p[2]
  *
- * Each sample asks that q lie on its tangent: one equation, in which sliding along the curve costs nothing. The first and last
- * control lie on the tangents of the chain's ends. Unknown are therefore, for each master, the handles at both ends and the
- * inner controls, and the shares, which both have in common. */
+ * Each sample asks that q lie on its tangent: one equation, in which sliding along the curve costs nothing. Unknown are, for each master,
+ * the handles at both ends and the inner controls, and the shares, which both have in common. Normal equations are solved by Cholesky's
+ * method. Invariants: a fitted chain has no handle that points backwards and no segment that turns by more than MT_SEGMENT_TURN_MAX; it is
+ * smooth in every mix. O(ROUNDS · (n + u³)) for n samples and u unknowns, for each number of segments. */
 #include "geometry/chain.h"
 
 #include <assert.h>
@@ -14,14 +18,13 @@
 enum { MASTERS = MT_MASTERS_MAX };
 enum { ROUNDS = 8 };        /* of Gauss–Newton */
 enum { TERMS = 8 };         /* unknowns that one sample depends on, at most */
-#define DAMPING 1e-3        /* of what an unknown weighs: what little is known about is left where it is */
-#define EVENNESS 5e-3       /* how much even spacing of the controls weighs beside a sample */
-#define EVENNESS_FIRST 0.1  /* … where controls have to be spread that lie on each other */
-#define SEGMENT_LEAST 256.0 /* grid units: a shorter segment is none */
-#define TINY 1e-9
-#define HANDLE_LEAST 16.0 /* grid units */
-#define SHARE_LEAST 0.1   /* a node is no nearer to either control than this share of the way */
-#define MAX_TURN 100.0    /* degrees in one segment */
+#define DAMPING 1e-3        /* of an unknown's weight: unknowns that few samples determine stay in place */
+#define EVENNESS 5e-3       /* weight of even spacing of the controls; a sample's is 1 */
+#define EVENNESS_FIRST 0.1  /* … in the first round, where controls that coincide have to be spread */
+#define SEGMENT_LEAST 256.0 /* grid units, 1/1000 em: shorter segments count as coinciding */
+#define TINY 1e-9           /* added to the diagonal, so that the matrix is positive */
+#define HANDLE_LEAST 16.0   /* grid units: a handle keeps at least this length */
+#define SHARE_LEAST 0.1     /* a node is no nearer to either control than this share of the way */
 
 typedef struct mt_foot {
     int segment;
@@ -60,7 +63,7 @@ mt_vec mt_chain_node(const mt_chain *c, int master, int k) {
     return between(c->control[master][k - 1], c->control[master][k], c->share[k - 1]);
 }
 
-/* ---- where on the chain a sample is ---------------------------------------------------------------------- */
+/* ---- feet of samples on the chain ---------------------------------------------------------------------- */
 
 static mt_vec point_at(const mt_chain *c, int master, mt_foot foot) {
     mt_vec a = mt_chain_node(c, master, foot.segment), b = mt_chain_node(c, master, foot.segment + 1);
@@ -128,7 +131,7 @@ static void spread(const mt_solver *s, int m) {
 
 /* ---- the normal equations -------------------------------------------------------------------------------- */
 
-/* How far a sample is from the chain, and how that changes with the unknowns. */
+/* The distance of a sample from the chain, and its derivatives by the unknowns. */
 typedef struct mt_equation {
     int count, unknown[TERMS];
     double slope[TERMS], off;
@@ -158,11 +161,11 @@ static int share_unknown(const mt_chain *c, int k) {
 }
 
 /* Handles that are tied to their arms are one unknown, in units of the arm. */
-static bool is_tied(const mt_anchorage end[MASTERS]) {
+static bool is_tied(const mt_chain_end end[MASTERS]) {
     return end[0].arm > 0 && end[1].arm > 0;
 }
 
-static void add_end(const mt_anchorage end[MASTERS], int m, bool last, mt_vec weight, mt_equation *row) {
+static void add_end(const mt_chain_end end[MASTERS], int m, bool last, mt_vec weight, mt_equation *row) {
     double slope = dot(end[m].along, weight) * (last ? -1 : 1);
     if (is_tied(end))
         add_term(row, end_unknown(0, last), slope * end[m].arm);
@@ -181,7 +184,7 @@ static void add_control(const mt_chain *c, int m, int k, mt_vec weight, mt_equat
     }
 }
 
-/* The change with what node k is made of, when the sample changes by `weight` with the node. */
+/* The derivatives by the controls and share of node k, when the sample changes by `weight` with the node. */
 static void add_node(const mt_solver *s, int m, int k, mt_vec weight, mt_equation *row) {
     const mt_chain *c = s->chain;
     if (k == 0 || k == c->count) return;
@@ -271,22 +274,22 @@ static bool solve(mt_solver *s) {
 
 /* ---- moving ---------------------------------------------------------------------------------------------- */
 
-static double handle_at(const mt_anchorage *end, mt_vec control, bool last) {
+static double handle_at(const mt_chain_end *end, mt_vec control, bool last) {
     return dot(end->along, minus(control, end->at)) * (last ? -1 : 1);
 }
 
-static mt_vec control_on(const mt_anchorage *end, double handle, bool last) {
+static mt_vec control_on(const mt_chain_end *end, double handle, bool last) {
     double along = last ? -handle : handle;
     return (mt_vec){end->at.x + along * end->along.x, end->at.y + along * end->along.y};
 }
 
-/* A handle never turns round: at most it becomes a quarter of what it was. */
+/* A handle never reverses: it keeps at least a quarter of its length. */
 static double moved_handle(double handle, double by, double least) {
     double was = fmax(handle, least);
     return fmax(was / 4, handle + by);
 }
 
-static void move_end(const mt_solver *s, const mt_anchorage end[MASTERS], bool last) {
+static void move_end(const mt_solver *s, const mt_chain_end end[MASTERS], bool last) {
     for (int m = 0; m < MASTERS; m++) {
         mt_vec *control = &s->chain->control[m][last ? s->chain->count - 1 : 0];
         double by = s->right[end_unknown(is_tied(end) ? 0 : m, last)], unit = is_tied(end) ? end[m].arm : 1;
@@ -310,7 +313,7 @@ static void move_all(mt_solver *s) {
 }
 
 /* Tied handles begin in the arms' ratio. */
-static void tie(mt_chain *c, const mt_anchorage end[MASTERS], bool last) {
+static void tie(mt_chain *c, const mt_chain_end end[MASTERS], bool last) {
     if (!is_tied(end)) return;
     double ratio = 0;
     int k = last ? c->count - 1 : 0;
@@ -319,23 +322,23 @@ static void tie(mt_chain *c, const mt_anchorage end[MASTERS], bool last) {
     for (int m = 0; m < MASTERS; m++) c->control[m][k] = control_on(&end[m], ratio * end[m].arm, last);
 }
 
-/* ---- whether it is good enough --------------------------------------------------------------------------- */
+/* ---- error of the chain --------------------------------------------------------------------------- */
 
 /* Whether no handle points backwards and no segment turns by too much. */
-static bool is_sound(const mt_chain *c) {
+static bool is_usable(const mt_chain *c) {
     for (int m = 0; m < MASTERS; m++) {
         if (handle_at(&c->start[m], c->control[m][0], false) < 0) return false;
         if (handle_at(&c->end[m], c->control[m][c->count - 1], true) < 0) return false;
         for (int k = 0; k < c->count; k++) {
             mt_vec in = minus(c->control[m][k], mt_chain_node(c, m, k)),
                    out = minus(mt_chain_node(c, m, k + 1), c->control[m][k]);
-            if (fabs(atan2(cross(in, out), dot(in, out))) > MAX_TURN * M_PI / 180) return false;
+            if (fabs(atan2(cross(in, out), dot(in, out))) > MT_SEGMENT_TURN_MAX * M_PI / 180) return false;
         }
     }
     return true;
 }
 
-/* How far a sample is from the chain. A sample beyond an end lies on what goes on there, as far as the chain is concerned. */
+/* The distance of a sample from the chain; beyond an end, across the sample's own direction. */
 static double distance_of(const mt_solver *s, int m, int j) {
     const mt_sample *sample = &s->runs[m].samples[j];
     mt_foot foot = s->feet[m][j];
@@ -344,7 +347,7 @@ static double distance_of(const mt_solver *s, int m, int j) {
     return beyond ? fabs(cross((mt_vec){sample->dx, sample->dy}, off)) : hypot(off.x, off.y);
 }
 
-/* The largest distance of a sample, and in which segment that is. */
+/* The largest distance of a sample, and the segment with it. */
 static double error_of(const mt_solver *s, int *segment) {
     double worst = 0;
     *segment = 0;
@@ -375,7 +378,7 @@ static mt_status solver_for(const mt_run runs[MASTERS], mt_chain *chain, bool ev
     return MT_OK;
 }
 
-/* Whether a master waits in the middle of the chain. */
+/* Whether a master has a segment of almost no length. */
 static bool is_uneven(const mt_chain *c) {
     for (int m = 0; m < MASTERS; m++)
         for (int k = 0; k < c->count; k++)
@@ -383,9 +386,9 @@ static bool is_uneven(const mt_chain *c) {
     return false;
 }
 
-/* Fits a chain of two segments or more as it is divided, until it is good enough; what it comes to, INFINITY where it is not
- * sound, and where that is. */
-static void relax(mt_solver *s, double tolerance, double *error, int *segment) {
+/* Fits a chain of two segments or more as it is divided, until it is within the tolerance. *error: INFINITY where the chain is unusable;
+ * *segment: the one with the largest error. */
+static void iterate(mt_solver *s, double tolerance, double *error, int *segment) {
     tie(s->chain, s->chain->start, false);
     tie(s->chain, s->chain->end, true);
     for (int m = 0; m < MASTERS; m++) spread(s, m);
@@ -397,7 +400,7 @@ static void relax(mt_solver *s, double tolerance, double *error, int *segment) {
         if (!solve(s)) return;
         move_all(s);
         find_feet(s, 2);
-        *error = is_sound(s->chain) ? error_of(s, segment) : INFINITY;
+        *error = is_usable(s->chain) ? error_of(s, segment) : INFINITY;
     }
 }
 
@@ -453,7 +456,7 @@ mt_status mt_chain_fit(const mt_run runs[MASTERS], double tolerance, mt_arena *a
             copy_chain(chain, &trial);
             for (int k = 0; k < trial.count - 1 && even; k++) trial.share[k] = 0.5;
             status = solver_for(runs, &trial, even, arena, &solver);
-            if (status == MT_OK) relax(&solver, tolerance, &error, &worst);
+            if (status == MT_OK) iterate(&solver, tolerance, &error, &worst);
         }
         if (status != MT_OK || error <= tolerance || chain->count == chain->room) break;
         divide(chain, worst);

@@ -2,7 +2,14 @@
  * their ends stay convex. A diagonal that cannot be dropped is needed by a reflex vertex at one of its ends,
  * and stays needed, since angles only grow; no vertex needs more than two. So one pass is enough, and with r
  * reflex vertices at most 2r diagonals stay: at most 2r + 1 pieces, one fewer for each hole.
- */
+ *
+ *     ┌──────┐        ┌──────┐
+ *     │╲   ╱ │        │      │    the reflex vertex ● keeps one diagonal,
+ *     │  ●───┘  ──▶   ├──●───┘    all others are dropped: two pieces
+ *     └──┘            └──┘
+ *
+ * Invariants, checked each time: pieces are convex, and their areas add up to the component's exactly.
+ * O(n log n) for n diagonals. */
 #include "geometry/decompose.h"
 
 #include <assert.h>

@@ -4,7 +4,11 @@
  *   1. Bridge the dents where two neighbouring sums of a union meet.
  *   2. Tell corners from smooth vertices and lines from chords (trace.h).
  *   3. Fit a quadratic spline (spline.h) to each run of chords between corners and lines.
- */
+ *
+ *     ●───────●╮ × ╭╮     ● corners and ends of lines: runs end here     × a crossing, MT_DENT deep at most: a dent
+ *      line   run ╰╯ run
+ *
+ * Invariant: a contour passes through the ends of all runs. O(n) for n vertices, but for mt_spline. */
 #include <math.h>
 
 #include "geometry/limits.h"
@@ -14,8 +18,7 @@
 
 /* ---- 1: dents ------------------------------------------------------------------------------------------ */
 
-/* A crossing that turns right, to the inside of the ink, between its neighbours and no deeper than MT_DENT under the line that
- * joins them. */
+/* A crossing that turns right, into the ink, between its neighbours and no deeper than MT_DENT under the line that joins them. */
 static bool is_dent(mt_point a, mt_point b, mt_point c, uint8_t mark) {
     int64_t deep = -mt_orient(a, b, c);
     bool between = mt_dot(a, b, a, c) > 0 && mt_dot(c, b, c, a) > 0;

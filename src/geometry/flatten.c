@@ -4,7 +4,7 @@
  *     d = max |p[i] - 2 p[i+1] + p[i+2]|,   chords = ⌈√(n (n - 1) d / (8 ε))⌉
  *
  * the distance between curve and chords is at most ε: for n = 2 the bound is exact, for n = 3 it is Wang's.
- * The points lie on the curve, rounded to the grid. */
+ * The points lie on the curve, rounded to the grid. Invariant: no two neighbouring points are equal. O(chords). */
 #include <math.h>
 
 #include "geometry/limits.h"

@@ -1,3 +1,10 @@
+/* Places and ink. A ray from the place to the right crosses the border an odd number of times inside the ink (exact, by mt_orient):
+ *
+ *     ──┐  ┌──┐     half-open edges, a.y ≤ p.y < b.y, count a vertex on the ray once
+ *     p─┼──┼──┼─▶   3 crossings: in the ink
+ *     ──┘  └──┘
+ *
+ * Distances to the border are found in the same pass. O(n) for n vertices of the shape. */
 #include "geometry/inside.h"
 
 #include <math.h>

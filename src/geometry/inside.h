@@ -1,15 +1,15 @@
-/* Which part of a shape a place is in, or nearest to: how hints find what they mean. */
+/* The component of a shape that holds a place or is nearest to it; depth in the ink. */
 #ifndef MT_GEOMETRY_INSIDE_H
 #define MT_GEOMETRY_INSIDE_H
 
 #include "geometry/ring.h"
 
-/* The component whose ink holds a place, or comes nearest to it. The shape is not empty. */
+/* The component whose ink holds a place, or is nearest to it. The shape is not empty. */
 int mt_component_at(const mt_shape *shape, mt_point place);
 
 /* Whether a place is in the ink of a shape. */
 bool mt_is_in_ink(const mt_shape *shape, mt_point place);
-/* The same at least `depth` grid units from its border. */
+/* Whether it is there at least `depth` grid units from the border. */
 bool mt_is_deep_in_ink(const mt_shape *shape, mt_point place, double depth);
 
 #endif

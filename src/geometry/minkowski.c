@@ -3,9 +3,10 @@
  * operations", 1993). Scaling by a positive weight turns no edge, so that the order is decided on the pieces'
  * own integer edges, exactly.
  *
+ *     P ◺ has edges → ↖ ↓, Q □ has → ↑ ← ↓, and the sum → ↑ ↖ ← ↓: equal directions become one edge.
+ *
  * For 0 < r < 1 the corners of the sum are r·a + (1 - r)·b for the same pairs (a, b): each moves on a
- * straight line.
- */
+ * straight line. Invariant: the sum is convex, but for rounding to the grid. O(n + m). */
 #include "geometry/minkowski.h"
 
 #include <math.h>
@@ -62,7 +63,7 @@ static void add(mt_ring *sum, mt_point point, uint8_t marks) {
     sum->marks[sum->count++] = marks;
 }
 
-/* Which edge comes next by angle: > 0 p's, < 0 q's, 0 both at once. Merging starts at both pieces' lowest
+/* The next edge by angle: > 0 p's, < 0 q's, 0 both at once. Merging starts at both pieces' lowest
  * points, and when one piece has gone once around, only the other's edges are left. */
 static int64_t which(const mt_ring *p, int i, int p_left, const mt_ring *q, int j, int q_left) {
     if (p_left == 0) return -1;
@@ -73,7 +74,7 @@ static int64_t which(const mt_ring *p, int i, int p_left, const mt_ring *q, int 
     return mt_cross(a, b, c, d);
 }
 
-/* Where the merge is: at vertex i of p and j of q, with so many edges left of each. */
+/* The state of the merge: vertex i of p and j of q, and the edges left of each. */
 typedef struct mt_merge {
     const mt_ring *p, *q;
     int i, j, p_left, q_left;

@@ -22,13 +22,13 @@ mt_point mt_mix(mt_weights weights, mt_point p, mt_point q);
  * neighbours fall together. */
 void mt_minkowski(const mt_ring *p, const mt_ring *q, mt_weights weights, mt_ring *sum);
 
-/* A corner of the sum, the same for all 0 < r < 1: the vertex of p and that of q which it is made of. */
+/* A corner of the sum, the same for all 0 < r < 1: a vertex of p and one of q. */
 typedef struct mt_corner {
     int p, q;
 } mt_corner;
 
-/* All of them, anticlockwise, into room for p->count + q->count; returns how many. From one to the next, the vertex of p
- * moves on by one, or that of q, or both. */
+/* All of them, anticlockwise, into room for p->count + q->count; returns their number. From one to the next the vertex of p advances by
+ * one, or that of q, or both. */
 int mt_minkowski_corners(const mt_ring *p, const mt_ring *q, mt_corner *corners);
 
 #endif

@@ -1,3 +1,5 @@
+/* An outline's own union, and whether the outline was that already: where area is covered twice, or rings cancel, the areas or the counts
+ * of rings differ. Both are exact. O(n log n) in practice for n chords. */
 #include "geometry/union.h"
 
 mt_status mt_outline_resolve(const mt_outline *outline, double tolerance, mt_arena *arena, mt_shape *shape,

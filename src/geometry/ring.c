@@ -1,3 +1,6 @@
+/* Measures of rings: areas as sums of triangles from the first point, exact; boxes, centres, lengths and distances; convexity by the turns
+ * at all vertices and one change of direction each way; hulls by A. M. Andrew's monotone chain. O(n), O(n log n) for a hull, O(n m) for
+ * the gap between rings. */
 #include "geometry/ring.h"
 
 #include <math.h>
@@ -64,7 +67,7 @@ double mt_ring_length(const mt_ring *ring) {
 /* ---- boxes and centres ------------------------------------------------------------------------------------
  */
 
-static void stretch(mt_box *box, mt_point p) {
+static void extend_box(mt_box *box, mt_point p) {
     if (p.x < box->min.x) box->min.x = p.x;
     if (p.y < box->min.y) box->min.y = p.y;
     if (p.x > box->max.x) box->max.x = p.x;
@@ -74,7 +77,7 @@ static void stretch(mt_box *box, mt_point p) {
 mt_box mt_ring_box(const mt_ring *ring) {
     if (ring->count == 0) return (mt_box){0};
     mt_box box = {ring->points[0], ring->points[0]};
-    for (int i = 1; i < ring->count; i++) stretch(&box, ring->points[i]);
+    for (int i = 1; i < ring->count; i++) extend_box(&box, ring->points[i]);
     return box;
 }
 
@@ -83,8 +86,8 @@ mt_box mt_shape_box(const mt_shape *shape) {
     mt_box all = mt_ring_box(&shape->components[0].rings[0]);
     for (int i = 1; i < shape->count; i++) {
         mt_box box = mt_ring_box(&shape->components[i].rings[0]);
-        stretch(&all, box.min);
-        stretch(&all, box.max);
+        extend_box(&all, box.min);
+        extend_box(&all, box.max);
     }
     return all;
 }

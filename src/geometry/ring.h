@@ -54,7 +54,7 @@ int64_t mt_ring_area2(const mt_ring *ring);
 int64_t mt_component_area2(const mt_component *component); /* the holes taken off; of any rings, their sum */
 int64_t mt_shape_area2(const mt_shape *shape);
 
-/* How many points they have, all together. */
+/* The number of their points. */
 int64_t mt_rings_corners(const mt_rings *rings);
 
 /* All rings of a shape in one list; the points are shared, not copied. MT_NO_MEMORY. */
@@ -66,18 +66,18 @@ double mt_ring_length(const mt_ring *ring); /* grid units */
 mt_box mt_ring_box(const mt_ring *ring);
 mt_box mt_shape_box(const mt_shape *shape);
 
-/* The sides of a box, grid units; at least 1, so that a place can be taken relative to a box without width or height. */
+/* The sides of a box, grid units; at least 1, so that places can be relative to a box without width or height. */
 double mt_box_width(mt_box box);
 double mt_box_height(mt_box box);
 
 /* The barycentre of the area, grid units. A ring without area gives the middle of its box. */
 void mt_ring_centre(const mt_ring *ring, double *x, double *y);
 
-/* How far a place is from an edge, grid units, and the way to its nearest place. */
+/* The distance of a place from an edge, grid units, and the vector to the edge's nearest place. */
 double mt_way_to_edge(mt_point from, mt_point a, mt_point b, double way[2]);
 
-/* The least distance between the borders of two rings that do not cross, grid units, and the way from p to q where they are
- * nearest, rounded. */
+/* The least distance between the borders of two rings that do not cross, grid units, and the vector from p to q where they are nearest,
+ * rounded. */
 double mt_ring_gap(const mt_ring *p, const mt_ring *q, mt_point *way);
 
 /* At least three points, every turn to the left or straight on, once around; no area is not convex. */

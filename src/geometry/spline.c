@@ -2,10 +2,12 @@
  * least cost of a spline from the first sample to sample j, where a segment costs 1 and a little for its
  * error.
  *
- * One segment between two samples has no freedom: its control point is where the two tangents meet.
+ * One segment between two samples has no freedom: its control point is where the two tangents meet. Invariants: segments join with a
+ * common direction; both masters have as many, ending at the same samples. O(n²) segments tried for n samples, each O(n), at worst;
+ * GIVE_UP keeps it near O(n) segments.
  *
  *            c              the tangents meet ahead of the one and behind the other, and the whole turns
- *          /   \            by less than MAX_TURN: otherwise no single quadratic joins them
+ *          /   \            by less than MT_SEGMENT_TURN_MAX: otherwise no single quadratic joins them
  *        a       b
  */
 #include "geometry/spline.h"
@@ -13,11 +15,10 @@
 #include <assert.h>
 #include <math.h>
 
-#define MAX_TURN 100.0  /* degrees; a quadratic that turns by more is too pointed to follow anything drawn */
-#define ERROR_SHARE 0.5 /* what an error as large as the tolerance costs, beside 1 for a segment */
-#define STRAIGHT_SHARE 0.1 /* of the tolerance: under it, a stretch is a line */
-#define KINK_TURN 6.0      /* degrees by which two masters may head apart at a shared node … */
-#define KINK_SHARE 0.25    /* … for this much of a segment's price; more with the square of the angle */
+#define ERROR_SHARE 0.5    /* cost of an error as large as the tolerance; a segment costs 1 */
+#define STRAIGHT_SHARE 0.1 /* of the tolerance: a run within it of a line is one */
+#define HEADINGS_APART 6.0 /* degrees between the headings of two masters at a shared node … */
+#define APART_COST 0.25    /* … that cost this much; more with the square of the angle */
 #define GIVE_UP 4.0 /* tolerances: past this error, longer segments from the same start are not tried */
 
 typedef struct mt_arc {
@@ -39,7 +40,7 @@ static double cross(double ax, double ay, double bx, double by) {
     return ax * by - ay * bx;
 }
 
-/* ---- how far a sample is from a segment ---------------------------------------------------------------- */
+/* ---- distance of a sample from a segment --------------------------------------------------------------- */
 
 static double within_unit(double t) {
     return t < 0 ? 0 : t > 1 ? 1 : t;
@@ -146,7 +147,7 @@ static mt_arc arc_between(const mt_sample *s, int from, int to, double tolerance
     double turn = cross(a->dx, a->dy, b->dx, b->dy), along = a->dx * b->dx + a->dy * b->dy;
     double cx = b->x - a->x, cy = b->y - a->y;
     double ahead = cross(cx, cy, b->dx, b->dy) / turn, behind = cross(a->dx, a->dy, cx, cy) / turn;
-    bool meets = turn != 0 && ahead > 0 && behind > 0 && along > cos(MAX_TURN * M_PI / 180);
+    bool meets = turn != 0 && ahead > 0 && behind > 0 && along > cos(MT_SEGMENT_TURN_MAX * M_PI / 180);
     if (!meets) return line_arc(s, from, to, tolerance);
     mt_vec control = {a->x + ahead * a->dx, a->y + ahead * a->dy};
     return (mt_arc){false, control, quadratic_error(s, from, to, control, tolerance * GIVE_UP)};
@@ -170,8 +171,7 @@ static double length(mt_vec a, mt_vec b) {
     return hypot(b.x - a.x, b.y - a.y);
 }
 
-/* Where on its chord a master that is straight here has the control point: at the same share of the way as in
- * a curved one. */
+/* The control point of a master that is straight here: at the same share of its chord as in a curved one. */
 static mt_vec along_chord(const mt_sample *a, const mt_sample *b, double share) {
     return (mt_vec){a->x + share * (b->x - a->x), a->y + share * (b->y - a->y)};
 }
@@ -194,15 +194,14 @@ static mt_joint_arc joint_arc(const mt_problem *p, int from, int to) {
     return joint;
 }
 
-/* Where two masters head apart at a node that they share, the curves between them may have a kink there: a
- * price on the angle. */
-static double kink_cost(const mt_problem *p, int k) {
+/* The cost of different headings of two masters at a node, where curves between them may have a kink. */
+static double heading_cost(const mt_problem *p, int k) {
     if (p->master_count < 2 || k == p->count - 1) return 0;
     const mt_sample *a = &p->masters[0][k], *b = &p->masters[1][k];
     double degrees =
         fabs(atan2(cross(a->dx, a->dy, b->dx, b->dy), a->dx * b->dx + a->dy * b->dy)) * (180 / M_PI);
-    double share = fmin(degrees / KINK_TURN, 4);
-    return KINK_SHARE * share * share;
+    double share = fmin(degrees / HEADINGS_APART, 4);
+    return APART_COST * share * share;
 }
 
 /* ---- the best spline ----------------------------------------------------------------------------------- */
@@ -222,14 +221,14 @@ static bool is_node(const mt_problem *p, int k) {
 static bool turned_back(const mt_problem *p, int from, int to) {
     for (int m = 0; m < p->master_count; m++) {
         const mt_sample *a = &p->masters[m][from], *b = &p->masters[m][to];
-        if (a->dx * b->dx + a->dy * b->dy < cos(MAX_TURN * M_PI / 180)) return true;
+        if (a->dx * b->dx + a->dy * b->dy < cos(MT_SEGMENT_TURN_MAX * M_PI / 180)) return true;
     }
     return false;
 }
 
 static double cost_of(const mt_problem *p, const mt_joint_arc *arc, int to) {
     double share = arc->error / p->tolerance;
-    return 1 + ERROR_SHARE * share * share + kink_cost(p, to);
+    return 1 + ERROR_SHARE * share * share + heading_cost(p, to);
 }
 
 /* Takes an arc that costs less than the best way so far, once it is sure that it fits. */

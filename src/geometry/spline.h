@@ -1,5 +1,4 @@
-/* Quadratic splines through samples of a smooth curve, or of several curves at once that shall share their
- * points. */
+/* Quadratic splines through samples of a smooth curve, or of two curves at once with common nodes. */
 #ifndef MT_GEOMETRY_SPLINE_H
 #define MT_GEOMETRY_SPLINE_H
 
@@ -16,10 +15,13 @@ typedef struct mt_sample {
     bool node; /* a segment has to end here: an extremum */
 } mt_sample;
 
-/* The sample at a place where the curve heads so (radians). At a node, which is an extremum, it runs along an axis. */
+/* The sample at a place with a heading, radians; at a node, which is an extremum, the heading is that of the nearest axis. */
 mt_sample mt_sample_at(double x, double y, double heading, bool node);
 
 #define MT_MASTERS_MAX 2
+
+/* The turn of one quadratic, at most, degrees: one that turns by more is too pointed for any drawing. */
+#define MT_SEGMENT_TURN_MAX 100.0
 
 /* The fewest quadratic Béziers from the first sample to the last, through some of the samples in their
  * directions and within `tolerance` of the others; of equally many, the closest. With two masters, sample k

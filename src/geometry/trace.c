@@ -1,3 +1,11 @@
+/* A ring read as a drawing: corners and lines by marks, headings at smooth vertices from the chords on both sides.
+ *
+ *          ● ← heading: between the two chords' headings; the turn is shared in proportion to the edges' lengths, which is
+ *      ╱      ╲   exact for vertices spaced evenly in a quadratic's parameter, as flattening spaces them
+ *     ●        ●  but a heading leaves a chord of length l by at most 5 · chord / l: a curve that bulges more was flattened finer
+ *
+ * Angles decide only where marks are silent: at crossings, and between two crossings. Invariants: in and out headings agree at smooth
+ * vertices, unless the bound forbids it; a line's are its own direction. O(n). */
 #include "geometry/trace.h"
 
 #include <math.h>
@@ -73,18 +81,17 @@ bool mt_trace_extremum(const mt_trace *t, int i) {
 
 /* ---- headings ------------------------------------------------------------------------------------------ */
 
-/* How far a curve's heading may leave its chord, at either end: a chord of length l whose curve heads away by δ bulges by
- * l·δ/4, which flattening keeps under its tolerance; a quarter more for what is not quite so even. A line's not at all. */
-static double leeway(const mt_trace *t, int edge) {
+/* The largest angle between a curve's heading and its chord, at either end: a chord of length l with angle δ bulges by l·δ/4, which
+ * flattening keeps under its tolerance; a quarter more for uneven curves. 0 for a line. */
+static double heading_bound(const mt_trace *t, int edge) {
     return t->line[edge] ? 0 : 5 * t->chord / t->length[edge];
 }
 
-/* At a smooth vertex: that of the chord between its neighbours, which is exact where the vertices are evenly spaced in a
- * quadratic's parameter, as flattening spaces them; so the turn is shared out against the lengths of the two edges, as far
- * as their leeways allow. Where they do not, the drawing has a slight corner here. */
+/* At a smooth vertex: the heading of the chord between its neighbours, within the bounds of both edges. Where these do not allow it, the
+ * drawing has a slight corner here. */
 static double smooth_heading(const mt_trace *t, int i) {
     int h = mt_trace_before(t, i);
-    double turn = fabs(t->turn[i]), before = leeway(t, h), after = leeway(t, i), share;
+    double turn = fabs(t->turn[i]), before = heading_bound(t, h), after = heading_bound(t, i), share;
     if (before + after <= turn)
         share = before + after > 0 ? turn * before / (before + after) : 0;
     else
@@ -100,9 +107,9 @@ static double corner_heading(const mt_trace *t, int edge, int vertex) {
     return t->heading[edge] - there;
 }
 
-/* A heading at an end of an edge, kept within the edge's leeway. */
+/* A heading at an end of an edge, kept within the edge's bound. */
 static double along_edge(const mt_trace *t, int edge, double heading) {
-    double off = remainder(heading - t->heading[edge], 2 * M_PI), most = leeway(t, edge);
+    double off = remainder(heading - t->heading[edge], 2 * M_PI), most = heading_bound(t, edge);
     return t->heading[edge] + fmin(most, fmax(-most, off));
 }
 

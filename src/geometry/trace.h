@@ -1,5 +1,4 @@
-/* A ring read as the drawing it came from: which vertices are corners, which edges are lines, where its
- * curves head. */
+/* A ring read as the drawing that it came from: its corners, its lines, and the headings of its curves. */
 #ifndef MT_GEOMETRY_TRACE_H
 #define MT_GEOMETRY_TRACE_H
 
@@ -12,7 +11,7 @@ typedef struct mt_trace {
     double *turn;    /* at vertex i, radians, left is positive */
     bool *corner;    /* vertex i */
     bool *line;      /* edge i */
-    double chord;    /* what the curves were flattened with, grid units */
+    double chord;    /* the tolerance that the curves were flattened with, grid units */
 } mt_trace;
 
 /* Reads a ring of three points or more whose curves were flattened within `chord` grid units. Corners are
@@ -31,8 +30,8 @@ bool mt_trace_breaks(const mt_trace *trace, int i);
 /* Whether the drawing is smooth at vertex i and turns back there in x or in y. */
 bool mt_trace_extremum(const mt_trace *trace, int i);
 
-/* Where the drawing heads as it leaves vertex i, and as it arrives there, radians: the same at a smooth vertex, but for what no
- * curve between these chords can have turned. */
+/* The drawing's heading out of vertex i, and into it, radians: the same at a smooth vertex, unless no curve between its chords can turn
+ * so far. */
 double mt_trace_out(const mt_trace *trace, int i);
 double mt_trace_in(const mt_trace *trace, int i);
 

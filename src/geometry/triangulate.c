@@ -10,8 +10,7 @@
  *
  * Invariants after each step: every triangle is anticlockwise with area; twin[twin[e]] = e; the two sides of
  * a diagonal start where the other ends; out[v] starts at v. Equal points are one vertex, the first of them
- * inserted.
- */
+ * inserted. O(n²) at worst for n vertices. The figure of a flip is below. */
 #include "geometry/triangulate.h"
 
 #include <assert.h>
@@ -144,13 +143,13 @@ static uint32_t hilbert(uint32_t x, uint32_t y) {
     return place;
 }
 
-typedef struct mt_sweep_stop {
+typedef struct mt_hilbert_key {
     uint32_t place;
     int vertex;
-} mt_sweep_stop;
+} mt_hilbert_key;
 
 static int by_place(const void *p, const void *q) {
-    const mt_sweep_stop *a = p, *b = q;
+    const mt_hilbert_key *a = p, *b = q;
     if (a->place != b->place) return a->place < b->place ? -1 : 1;
     return (a->vertex > b->vertex) - (a->vertex < b->vertex);
 }
@@ -163,17 +162,17 @@ static int64_t longer_side(mt_box box) {
     return side > 0 ? side : 1;
 }
 
-static mt_sweep_stop *insertion_order(const mt_triangulation *w, mt_box box) {
-    mt_sweep_stop *stops = mt_arena_new(w->arena, (size_t)w->vertex_count, sizeof *stops);
-    if (!stops) return NULL;
+static mt_hilbert_key *insertion_order(const mt_triangulation *w, mt_box box) {
+    mt_hilbert_key *keys = mt_arena_new(w->arena, (size_t)w->vertex_count, sizeof *keys);
+    if (!keys) return NULL;
     int64_t side = longer_side(box);
     for (int i = 0; i < w->vertex_count; i++) {
         uint32_t x = (uint32_t)(((int64_t)w->points[i].x - box.min.x) * 65535 / side);
         uint32_t y = (uint32_t)(((int64_t)w->points[i].y - box.min.y) * 65535 / side);
-        stops[i] = (mt_sweep_stop){hilbert(x, y), i};
+        keys[i] = (mt_hilbert_key){hilbert(x, y), i};
     }
-    qsort(stops, (size_t)w->vertex_count, sizeof *stops, by_place);
-    return stops;
+    qsort(keys, (size_t)w->vertex_count, sizeof *keys, by_place);
+    return keys;
 }
 
 /* A triangle that holds p, found by walking from half-edge e across edges that have p on their right. In a
@@ -252,11 +251,11 @@ static mt_status insert_vertices(mt_triangulation *w) {
     w->points[n + 2] = (mt_point){box.min.x - far, box.min.y + 3 * far};
     for (int i = 0; i < 3; i++) put(w, i, (mt_edge){.start = n + i, .twin = -1});
     w->edge_count = 3;
-    mt_sweep_stop *stops = insertion_order(w, box);
-    if (!stops) return MT_NO_MEMORY;
+    mt_hilbert_key *keys = insertion_order(w, box);
+    if (!keys) return MT_NO_MEMORY;
     int near = 0;
     for (int i = 0; i < n; i++) {
-        mt_status status = insert(w, stops[i].vertex, &near);
+        mt_status status = insert(w, keys[i].vertex, &near);
         if (status != MT_OK) return status;
     }
     return MT_OK;
@@ -273,8 +272,8 @@ static void fix(mt_triangulation *w, int e, uint8_t marks) {
     w->edges[f].net--;
 }
 
-/* The half-edge at u along which, or the triangle at u through which, the way to v leaves: either the edge
- * u→w with w on the way, or the edge u→x such that the way passes between x and the triangle's third corner.
+/* The half-edge at u along which, or the triangle at u through which, the segment to v leaves: either the edge
+ * u→w with w on the segment, or the edge u→x such that the segment passes between x and the triangle's third corner.
  */
 static int leave_towards(const mt_triangulation *w, int u, int v, bool *along) {
     mt_point p = w->points[u], q = w->points[v];
@@ -289,9 +288,9 @@ static int leave_towards(const mt_triangulation *w, int u, int v, bool *along) {
     }
 }
 
-/* Collects on the stack the ends of the edges between u's triangle e and the first vertex on the way to v,
+/* Collects on the stack the ends of the edges between u's triangle e and the first vertex on the segment to v,
  * which becomes *reached. Ends, because slots move when edges are flipped. MT_BAD_GEOMETRY when a ring edge
- * stands in the way. */
+ * crosses it. */
 static mt_status collect_crossed(mt_triangulation *w, int e, int u, int v, int *reached) {
     mt_point p = w->points[u], q = w->points[v];
     e = next(e); /* across the triangle at u */
@@ -395,14 +394,14 @@ static mt_status force_ring(mt_triangulation *w, int first, int count) {
     return MT_OK;
 }
 
-/* ---- 4: what is ink ---------------------------------------------------------------------------------------
+/* ---- 4: the ink -------------------------------------------------------------------------------------------
  */
 
-enum { UNSEEN = INT32_MIN };
+enum { UNKNOWN = INT32_MIN };
 
-/* The winding of each triangle, counted from the outside inwards. */
+/* The winding number of each triangle, from the outside inwards. */
 static mt_status count_windings(mt_triangulation *w, int *winding) {
-    for (int i = 0; i < w->edge_count / 3; i++) winding[i] = UNSEEN;
+    for (int i = 0; i < w->edge_count / 3; i++) winding[i] = UNKNOWN;
     int outside = w->out[w->vertex_count] / 3;
     winding[outside] = 0;
     if (!push(w, outside)) return MT_NO_MEMORY;
@@ -410,7 +409,7 @@ static mt_status count_windings(mt_triangulation *w, int *winding) {
         int triangle = w->stack[--w->stack_count];
         for (int e = 3 * triangle; e < 3 * triangle + 3; e++) {
             int twin = w->edges[e].twin;
-            if (twin < 0 || winding[twin / 3] != UNSEEN) continue;
+            if (twin < 0 || winding[twin / 3] != UNKNOWN) continue;
             winding[twin / 3] = winding[triangle] - w->edges[e].net;
             if (!push(w, twin / 3)) return MT_NO_MEMORY;
         }

@@ -1,4 +1,9 @@
-/* Clipper behind union.h. No exception leaves it. */
+/* Clipper behind union.h. No exception leaves it.
+ *
+ * Clipper gives points without marks. Marks are found again by place: a point that was a vertex of a ring has the marks of all rings'
+ * vertices there, any other is a crossing; an edge has the marks of an edge that went in at its start, or end, and runs along it within
+ * two grid units. Invariants: the order of rings and points is that of their places, whatever Clipper's; the only rounding is that of
+ * crossings. O(n log n) for marks, and Clipper's O((n + k) log n) for k crossings. */
 #include <algorithm>
 #include <cmath>
 #include <new>

@@ -4,8 +4,8 @@
 
 #include "geometry/outline.h"
 
-/* What is ink: all that rings go around in either direction more often than in the other, as fonts are filled; or only what more
- * of them go around anticlockwise, as contours are meant whose ink lies to the left. */
+/* The rule of ink: where the winding number is not 0, as fonts are filled; or where it is above 0, for contours whose ink lies to the
+ * left. */
 typedef enum mt_rule { MT_NONZERO, MT_POSITIVE } mt_rule;
 
 /* The ink of all rings together, as components with holes. Points that survive
@@ -14,11 +14,11 @@ typedef enum mt_rule { MT_NONZERO, MT_POSITIVE } mt_rule;
  * do the holes of each. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_union(const mt_rings *rings, mt_rule rule, mt_arena *arena, mt_shape *shape);
 
-/* The same without marks: all are 0. For who only counts or measures: finding marks takes long. As mt_union. */
+/* The same without marks: all are 0. For counting and measuring: finding marks takes long. As mt_union. */
 mt_status mt_union_unmarked(const mt_rings *rings, mt_rule rule, mt_arena *arena, mt_shape *shape);
 
 /* The nonzero union of an outline flattened within `tolerance` grid units, and whether the outline was its own
- * union already, but for running the other way round as a whole: whether no area was covered twice. As mt_flatten and mt_union. */
+ * union already, in either orientation as a whole: no area was covered twice. As mt_flatten and mt_union. */
 mt_status mt_outline_resolve(const mt_outline *outline, double tolerance, mt_arena *arena, mt_shape *shape,
                              bool *clean);
 

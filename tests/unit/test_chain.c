@@ -18,13 +18,13 @@ static int tear_down(void **state) {
 }
 
 /* A quarter of an ellipse, from its right end to its top. */
-static mt_anchorage ellipse(int master, double w, double h, bool end) {
+static mt_chain_end ellipse(int master, double w, double h, bool end) {
     for (int i = 0; i < SAMPLES; i++) {
         double angle = M_PI / 2 * i / (SAMPLES - 1), x = w * cos(angle), y = h * sin(angle);
         double heading = atan2(h * cos(angle), -w * sin(angle));
         samples[master][i] = mt_sample_at(x, y, heading, false);
     }
-    return end ? (mt_anchorage){{0, h}, {-1, 0}, 0} : (mt_anchorage){{w, 0}, {0, 1}, 0};
+    return end ? (mt_chain_end){{0, h}, {-1, 0}, 0} : (mt_chain_end){{w, 0}, {0, 1}, 0};
 }
 
 /* Two quadratics for a quarter, joined where the angle is `degrees`; a poor guess, and another in each master. */

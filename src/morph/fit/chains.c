@@ -117,10 +117,10 @@ static mt_vec unit(mt_vec v) {
 }
 
 /* The end of a chain at node k, with curve `beside` on the chain's side and segment `beyond` on the other. */
-static mt_anchorage end_of_chain(const mt_smooth_state *c, int m, int k, int beside, int beyond) {
+static mt_chain_end end_of_chain(const mt_smooth_state *c, int m, int k, int beside, int beyond) {
     mt_point at = segment(c, m, k)->end, control = segment(c, m, beside)->control[0];
     bool first = beside > k;
-    mt_anchorage end = {.at = vec(at)};
+    mt_chain_end end = {.at = vec(at)};
     mt_vec line = chord_of(c, m, beyond), handle = first ? from_to(at, control) : from_to(control, at);
     if (c->nodes[around(c, k)] == NODE_LINE) end.arm = length(line);
     if (end.arm > 0)
