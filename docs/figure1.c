@@ -67,7 +67,11 @@ static mt_status draw_row(figure *f, int row) {
     mt_params params = mt_params_default();
     mt_glyph_pair pair;
     if (row < 2) params.method = MT_METHOD_PAPER;
-    mt_status status = mt_glyph_pair_prepare(f->a, f->b, f->code_point, NULL, &params, &f->arena, &pair);
+    mt_row fonts;
+    mt_status status = mt_row_open((mt_font *[]){f->a, f->b}, 2, &params, &fonts);
+    if (status != MT_OK) return status;
+    status = mt_pair_prepare_char(&fonts, f->code_point, &f->arena, &pair);
+    mt_row_close(&fonts);
     double top = GAP + row * (EM + 3 * LABEL + GAP);
     mt_label_draw(f->canvas.cairo, titles[row], GAP, top + LABEL, LABEL);
     for (int i = 0; status == MT_OK && i < STEPS; i++) {

@@ -18,7 +18,7 @@ typedef struct inspection {
     const cli_options *options;
     mt_font *fonts[2]; /* the second NULL where there is one */
     characters chosen;
-    mt_hint_index *hints; /* NULL: none */
+    mt_row row; /* of these fonts; all zero until it is open */
     mt_inspection what;
 } inspection;
 
@@ -39,21 +39,19 @@ static int fail_at(const inspection *this, uint32_t code_point, const char *outp
     return fail("%s: %s: %s", fonts, name, mt_status_text(status));
 }
 
-static int write_picture(const inspection *this) {
+static int write_picture(inspection *this) {
     uint32_t failed;
     const char *output = this->options->output;
-    mt_status status =
-        mt_inspect_save(this->fonts[0], this->fonts[1], &this->options->params, &this->what, output, &failed);
+    mt_status status = mt_inspect_save(&this->row, &this->what, output, &failed);
     return status == MT_OK ? DONE : fail_at(this, failed, output, status);
 }
 
 /* Into a file, or to stdout where `path` is NULL. */
-static int write_data(const inspection *this, const char *path) {
+static int write_data(inspection *this, const char *path) {
     uint8_t *bytes;
     size_t length;
     uint32_t failed;
-    mt_status status = mt_inspect_json(this->fonts[0], this->fonts[1], &this->options->params, &this->what,
-                                       &bytes, &length, &failed);
+    mt_status status = mt_inspect_json(&this->row, &this->what, &bytes, &length, &failed);
     if (status != MT_OK) return fail_at(this, failed, path ? path : "stdout", status);
     int outcome = DONE;
     if (path) {
@@ -66,7 +64,7 @@ static int write_data(const inspection *this, const char *path) {
     return outcome;
 }
 
-static int write_output(const inspection *this) {
+static int write_output(inspection *this) {
     const cli_options *options = this->options;
     if (!options->output) return write_data(this, NULL);
     if (is_json(options->output)) return write_data(this, options->output);
@@ -86,16 +84,19 @@ static int check(const cli_options *options) {
 }
 
 /* With one font, hints have nothing to say; their file has to be right all the same. */
-static int index_hints(inspection *this, int font_count) {
+static int set_hints(inspection *this) {
     mt_hint_table *table;
     mt_hint_error error;
-    int outcome = hints_read(this->options, this->fonts, font_count, &table);
-    if (outcome != DONE || !table) return outcome;
-    mt_status status = MT_OK;
-    if (font_count == 2)
-        status = mt_hint_index_new(table, this->fonts[0], this->fonts[1], &this->hints, &error);
+    int outcome = hints_read(this->options, this->fonts, this->row.font_count, &table);
+    if (outcome != DONE) return outcome;
+    mt_status status = mt_row_set_hints(&this->row, table, &error);
     mt_hint_table_free(table);
     return status == MT_OK ? DONE : hints_fail(this->options, status, &error);
+}
+
+static int open_row(inspection *this, int count) {
+    mt_status status = mt_row_open(this->fonts, count, &this->options->params, &this->row);
+    return status == MT_OK ? set_hints(this) : fail_status(this->options->command, status);
 }
 
 static int run(cli_options *options) {
@@ -103,15 +104,14 @@ static int run(cli_options *options) {
     int outcome = check(options), count = options->fonts[1] ? 2 : 1;
     for (int i = 0; outcome == DONE && i < count; i++) outcome = font_open(options->fonts[i], &this.fonts[i]);
     if (outcome == DONE) outcome = characters_choose(options, this.fonts, count, &this.chosen);
-    if (outcome == DONE) outcome = index_hints(&this, count);
+    if (outcome == DONE) outcome = open_row(&this, count);
     this.what = (mt_inspection){.code_points = this.chosen.list,
                                 .count = this.chosen.count,
-                                .size = options->size > 0 ? options->size : SIZE,
-                                .hints = this.hints};
+                                .size = options->size > 0 ? options->size : SIZE};
     if (outcome == DONE) outcome = write_output(&this);
+    mt_row_close(&this.row);
     for (int i = 0; i < 2; i++) mt_font_close(this.fonts[i]);
     characters_free(&this.chosen);
-    mt_hint_index_free(this.hints);
     return outcome;
 }
 

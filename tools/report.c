@@ -13,16 +13,7 @@ static int check(const cli_options *options) {
 }
 
 static int make(cli_work *work) {
-    const cli_options *options = work->options;
-    mt_report_request request = {.a = work->fonts[0],
-                                 .b = work->fonts[1],
-                                 .params = &options->params,
-                                 .hints = mt_blend_hints(work->blend),
-                                 .code_points = work->chosen.list,
-                                 .count = work->chosen.count,
-                                 .progress = progress_draw,
-                                 .user = &work->bar};
-    mt_status status = mt_report_save(&request, options->output);
+    mt_status status = mt_report_save(&work->blend->row, work->options->output);
     return status == MT_OK ? DONE : work_fail(work, status);
 }
 

@@ -6,15 +6,8 @@
 
 static int save(cli_work *work) {
     const cli_options *options = work->options;
-    const mt_specimen_request request = {.variable = work->variable,
-                                         .fonts = work->fonts,
-                                         .font_count = options->font_count,
-                                         .params = &options->params,
-                                         .text = options->text,
-                                         .made = work_made,
-                                         .user = work,
-                                         .progress = progress_draw,
-                                         .progress_user = &work->bar};
+    const mt_specimen_request request = {
+        .variable = work->variable, .text = options->text, .made = work_made, .user = work};
     mt_status status = mt_specimen_save(&request, options->output);
     if (status != MT_OK) return work_fail(work, status);
     if (options->verbose) say("%s: %d fonts", options->output, options->font_count);

@@ -6,15 +6,25 @@
 #include "base/memory.h"
 #include "morphotype.h"
 
-/* Does number `index`. What it makes in the arena is gone when it returns. */
-typedef mt_status (*mt_task)(int index, mt_arena *scratch, void *user);
+enum { MT_THREADS_MAX = 256 };
+
+/* For each thread an arena of what its tasks leave behind. All zero is empty; they are the caller's to release. */
+typedef struct mt_thread_arenas {
+    mt_arena of[MT_THREADS_MAX];
+} mt_thread_arenas;
+
+void mt_thread_arenas_release(mt_thread_arenas *arenas);
+
+/* Does number `index`. What it makes in `scratch` is gone when it returns; what it makes in `kept` stays. */
+typedef mt_status (*mt_task)(int index, mt_arena *scratch, mt_arena *kept, void *user);
 
 typedef struct mt_work {
     int count; /* of the numbers: 0 … count - 1 */
     mt_task task;
     void *user;
-    int threads;          /* 0: as many as the machine has cores */
-    mt_progress progress; /* NULL is fine; called from the threads, one at a time */
+    mt_thread_arenas *kept; /* NULL: the tasks leave nothing, and are given no arena for it */
+    int threads;            /* 0: as many as the machine has cores */
+    mt_progress progress;   /* NULL is fine; called from the threads, one at a time */
     void *progress_user;
 } mt_work;
 

@@ -1,15 +1,18 @@
-/* A composite at one place between the fonts: references to glyphs that are made already. */
+/* A composite at one place between the fonts: references to glyphs that are made already, where these do not touch. */
 #ifndef MT_BLEND_ASSEMBLE_H
 #define MT_BLEND_ASSEMBLE_H
 
 #include "blend/composite.h"
 #include "write/extent.h"
 
-/* The font at one T, as far as it is made. */
+/* Whether any two of the boxes around parts meet: where none do, no parts touch. An empty box meets nothing. */
+bool mt_boxes_meet(const mt_bounds *boxes, int count);
+
+/* The font at one T between the first two fonts, as far as it is made. */
 typedef struct mt_assembly {
-    int units;             /* per em */
-    double tolerance;      /* flattening error bound, 1/1000 em */
-    double unit_a, unit_b; /* what a unit of A, and one of B, adds to an offset here, in the font's units */
+    const mt_row *row;
+    double t;
+    int units;
     const mt_glyf *glyphs;
     const mt_extent *extents;
 } mt_assembly;
@@ -19,8 +22,5 @@ typedef struct mt_assembly {
  * or come to more than a glyph may have. MT_NO_MEMORY. */
 mt_status mt_composite_assemble(const mt_composite *composite, const mt_assembly *font, mt_arena *kept,
                                 mt_arena *scratch, mt_glyf *glyph, mt_extent *extent);
-
-/* Whether any two parts of a composite overlap, or touch. As mt_flatten and mt_union. */
-mt_status mt_parts_touch(const mt_glyf *composite, const mt_assembly *font, mt_arena *scratch, bool *overlap);
 
 #endif

@@ -1,89 +1,9 @@
-/* The blend of two fonts: what it goes by, and one glyph or whole fonts of it in memory. */
-#include "blend/job.h"
-
-#include "blend/metadata.h"
-#include "blend/review.h"
+/* What the library gives in memory: one glyph of a blend, and whole fonts. */
+#include "blend/instances.h"
+#include "blend/variable.h"
 #include "geometry/limits.h"
 #include "morph/between/instance.h"
-#include "morph/model/params.h"
 #include "write/write.h"
-
-/* ---- the handle ---------------------------------------------------------------------------------------- */
-
-mt_status mt_blend_new(mt_font *a, mt_font *b, const mt_params *params, mt_blend **blend) {
-    mt_status status = mt_params_check(params);
-    if (status != MT_OK) return status;
-    mt_blend *made = mt_new(1, sizeof *made);
-    if (!made) return MT_NO_MEMORY;
-    *made = (mt_blend){.a = a, .b = b, .params = *params};
-    *blend = made;
-    return MT_OK;
-}
-
-void mt_blend_free(mt_blend *blend) {
-    if (!blend) return;
-    mt_hint_index_free(blend->hints);
-    mt_free(blend->family);
-    mt_free(blend->wanted);
-    mt_free(blend);
-}
-
-void mt_blend_on_failure(mt_blend *blend, mt_glyph_failed call, void *user) {
-    blend->failed = call;
-    blend->failed_user = user;
-}
-
-void mt_blend_on_progress(mt_blend *blend, mt_progress call, void *user) {
-    blend->progress = call;
-    blend->progress_user = user;
-}
-
-mt_status mt_blend_set_family(mt_blend *blend, const char *name) {
-    char *copy = name ? mt_copy_text(name) : NULL;
-    if (name && !copy) return MT_NO_MEMORY;
-    mt_free(blend->family);
-    blend->family = copy;
-    return MT_OK;
-}
-
-mt_status mt_blend_warnings(const mt_blend *blend, mt_warning call, void *user) {
-    return mt_review(blend->a, blend->b, blend->family, call, user);
-}
-
-mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count) {
-    uint32_t *copy = count > 0 ? mt_new((size_t)count, sizeof *copy) : NULL;
-    if (count > 0 && !copy) return MT_NO_MEMORY;
-    for (int i = 0; i < count; i++) copy[i] = code_points[i];
-    mt_free(blend->wanted);
-    blend->wanted = copy;
-    blend->wanted_count = count > 0 ? count : 0;
-    return MT_OK;
-}
-
-void mt_blend_set_glyphs(mt_blend *blend, mt_glyph_set set) {
-    blend->set = set;
-}
-
-int mt_blend_unblended(const mt_blend *blend) {
-    return blend->unblended;
-}
-
-mt_status mt_blend_set_hints(mt_blend *blend, const mt_hint_table *table, mt_hint_error *error) {
-    mt_hint_index *index = NULL;
-    mt_status status = table ? mt_hint_index_new(table, blend->a, blend->b, &index, error) : MT_OK;
-    if (status != MT_OK) return status;
-    mt_hint_index_free(blend->hints);
-    blend->hints = index;
-    return MT_OK;
-}
-
-const mt_hint_index *mt_blend_hints(const mt_blend *blend) {
-    return blend->hints;
-}
-
-int mt_blend_units_per_em(const mt_blend *blend) {
-    return mt_metadata_units(blend->a, blend->b);
-}
 
 /* ---- one glyph ----------------------------------------------------------------------------------------- */
 
@@ -103,18 +23,18 @@ static void draw_contour(const mt_contour *contour, double scale, const mt_draw 
 
 mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const mt_draw *draw, void *user,
                          double *advance) {
-    if (!mt_is_place(t)) return MT_BAD_PARAMETER;
+    if (!(t >= 0 && t <= 1)) return MT_BAD_PARAMETER;
     mt_arena arena = {0};
     mt_glyph_pair pair;
     mt_outline outline;
-    mt_status status =
-        mt_glyph_pair_prepare(blend->a, blend->b, code_point, blend->hints, &blend->params, &arena, &pair);
+    mt_row *row = &blend->row;
+    mt_status status = mt_pair_prepare_char(row, code_point, &arena, &pair);
     if (status == MT_OK)
-        status = mt_morph_outline(&pair.morph, mt_weights_at(t), &blend->params, &arena, &outline);
+        status = mt_morph_outline(&pair.morph, mt_weights_at(t), &row->params, &arena, &outline);
     if (status == MT_OK) {
-        double scale = (double)mt_blend_units_per_em(blend) / MT_EM;
+        double scale = (double)mt_row_units(row) / MT_EM;
         for (int i = 0; i < outline.count; i++) draw_contour(&outline.contours[i], scale, draw, user);
-        *advance = mt_mixed_advance(&pair, t) * scale;
+        *advance = mt_room_between(&pair.room_a, &pair.room_b, t).advance * scale;
     }
     mt_arena_release(&arena);
     return status;
@@ -144,4 +64,11 @@ mt_status mt_blend_fonts(mt_blend *blend, const double *t, int count, uint8_t **
 
 mt_status mt_blend_font(mt_blend *blend, double t, uint8_t **bytes, size_t *length) {
     return mt_blend_fonts(blend, &t, 1, bytes, length);
+}
+
+/* ---- a variable font ----------------------------------------------------------------------------------- */
+
+mt_status mt_variable_font(mt_variable *variable, uint8_t **bytes, size_t *length) {
+    mt_font_bytes font = {bytes, length, 0};
+    return mt_variable_make(variable, NULL, keep_bytes, &font);
 }

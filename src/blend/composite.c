@@ -5,100 +5,164 @@
 
 #include "write/extent.h"
 
-typedef struct mt_sorted_pair {
-    uint32_t a, b;
-    uint16_t glyph;
-} mt_sorted_pair;
+/* A glyph of the new font, to be found by what it is in each font. */
+typedef struct mt_sorted_glyph {
+    const mt_font_glyphs *fonts;
+    int glyph;
+} mt_sorted_glyph;
 
 typedef struct mt_finder {
-    mt_font *a, *b;
-    const mt_charset *charset;
-    mt_sorted_pair *sorted; /* the charset's glyphs */
+    const mt_row *row;
+    const mt_font_glyphs *glyphs;
+    mt_sorted_glyph *sorted; /* by what they are in the first font, then in the second, and so on */
     mt_composite *composites;
     mt_arena *arena, scratch;
 } mt_finder;
 
-/* ---- the glyph of two others --------------------------------------------------------------------------- */
+/* A part of the glyph at hand, as the fonts have it that were looked at so far. */
+typedef struct mt_part {
+    uint32_t *of;
+    int (*at)[2];
+} mt_part;
 
-static int by_pair(const void *p, const void *q) {
-    const mt_sorted_pair *x = p, *y = q;
-    if (x->a != y->a) return x->a < y->a ? -1 : 1;
-    return (x->b > y->b) - (x->b < y->b);
+/* ---- the glyph of several others ----------------------------------------------------------------------- */
+
+static int compare_to(const mt_sorted_glyph *sorted, const uint32_t *of, int font_count) {
+    for (int k = 0; k < font_count; k++) {
+        uint32_t own = sorted->fonts->of[k][sorted->glyph];
+        if (own != of[k]) return own < of[k] ? -1 : 1;
+    }
+    return 0;
 }
 
-static mt_status sort_pairs(mt_finder *finder) {
-    size_t count = (size_t)finder->charset->glyph_count;
-    finder->sorted = mt_arena_new(finder->arena, count, sizeof *finder->sorted);
-    if (!finder->sorted) return MT_NO_MEMORY;
-    for (size_t i = 0; i < count; i++) {
-        const mt_pairing *pairing = &finder->charset->glyphs[i];
-        finder->sorted[i] = (mt_sorted_pair){pairing->a, pairing->b, (uint16_t)i};
+static int by_fonts(const void *p, const void *q) {
+    const mt_sorted_glyph *x = p, *y = q;
+    for (int k = 0; k < x->fonts->font_count; k++) {
+        uint32_t in_x = x->fonts->of[k][x->glyph], in_y = y->fonts->of[k][y->glyph];
+        if (in_x != in_y) return in_x < in_y ? -1 : 1;
     }
-    qsort(finder->sorted, count, sizeof *finder->sorted, by_pair);
+    return 0;
+}
+
+static mt_status sort_glyphs(mt_finder *finder) {
+    size_t count = (size_t)finder->glyphs->glyph_count;
+    finder->sorted = mt_arena_new(&finder->scratch, count, sizeof *finder->sorted);
+    if (!finder->sorted) return MT_NO_MEMORY;
+    for (size_t i = 0; i < count; i++) finder->sorted[i] = (mt_sorted_glyph){finder->glyphs, (int)i};
+    qsort(finder->sorted, count, sizeof *finder->sorted, by_fonts);
     return MT_OK;
 }
 
-/* NULL where the two are not one glyph of the charset. */
-static const mt_sorted_pair *find_pair(const mt_finder *finder, uint32_t a, uint32_t b) {
-    mt_sorted_pair key = {a, b, 0};
-    return bsearch(&key, finder->sorted, (size_t)finder->charset->glyph_count, sizeof key, by_pair);
+/* A glyph of the new font that is `of` in the first `font_count` fonts; -1 where there is none. */
+static int find_glyph(const mt_finder *finder, const uint32_t *of, int font_count) {
+    for (int low = 0, high = finder->glyphs->glyph_count; low < high;) {
+        int middle = low + (high - low) / 2;
+        int order = compare_to(&finder->sorted[middle], of, font_count);
+        if (order == 0) return finder->sorted[middle].glyph;
+        if (order < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return -1;
 }
 
 /* ---- one glyph ----------------------------------------------------------------------------------------- */
 
-/* How far apart two references move what they refer to, in em. */
-static double distance(const mt_finder *finder, const mt_reference *a, const mt_reference *b) {
-    double em_a = mt_font_units(finder->a), em_b = mt_font_units(finder->b);
-    return hypot(a->dx / em_a - b->dx / em_b, a->dy / em_a - b->dy / em_b);
+/* How far a part moves from one font to a reference of the next, in em. */
+static double distance(const mt_finder *finder, const mt_part *part, const mt_reference *next, int font) {
+    double em_a = mt_font_units(finder->row->fonts[font - 1]), em_b = mt_font_units(finder->row->fonts[font]);
+    return hypot(part->at[font - 1][0] / em_a - next->dx / em_b,
+                 part->at[font - 1][1] / em_a - next->dy / em_b);
 }
 
-/* Matches a reference of A with the one of B's, not used yet, that makes a glyph with it; the nearest of several, such as
- * the two dots of a dieresis. */
-static bool match(const mt_finder *finder, const mt_reference *a, const mt_references *in_b, bool *used,
-                  mt_moving_reference *made) {
+/* Matches a part with the font's reference, not used yet, that makes a glyph with it; the nearest of several, such as the
+ * two dots of a dieresis. */
+static bool match(const mt_finder *finder, mt_part *part, const mt_references *own, bool *used, int font) {
     int best = -1;
-    for (int k = 0; k < in_b->count; k++) {
-        const mt_reference *b = &in_b->list[k];
-        const mt_sorted_pair *pair = used[k] ? NULL : find_pair(finder, a->glyph, b->glyph);
-        if (!pair || (best >= 0 && distance(finder, a, b) >= distance(finder, a, &in_b->list[best])))
+    for (int k = 0; k < own->count; k++) {
+        const mt_reference *r = &own->list[k];
+        part->of[font] = r->glyph;
+        if (used[k] || find_glyph(finder, part->of, font + 1) < 0) continue;
+        if (best >= 0 && distance(finder, part, r, font) >= distance(finder, part, &own->list[best], font))
             continue;
         best = k;
-        *made = (mt_moving_reference){pair->glyph, {a->dx, a->dy}, {b->dx, b->dy}};
     }
-    if (best >= 0) used[best] = true;
-    return best >= 0;
+    if (best < 0) return false;
+    used[best] = true;
+    part->of[font] = own->list[best].glyph;
+    part->at[font][0] = own->list[best].dx;
+    part->at[font][1] = own->list[best].dy;
+    return true;
 }
 
-/* Leaves the composite as it is where one of the references has no counterpart. */
-static mt_status match_all(mt_finder *finder, const mt_references *in_a, const mt_references *in_b,
-                           mt_composite *composite) {
-    size_t count = (size_t)in_a->count;
-    bool *used = mt_arena_new(&finder->scratch, count, sizeof *used);
-    mt_moving_reference *references = mt_arena_new(finder->arena, count, sizeof *references);
-    if (!used || !references) return MT_NO_MEMORY;
-    for (size_t i = 0; i < count; i++)
-        if (!match(finder, &in_a->list[i], in_b, used, &references[i])) return MT_OK;
-    composite->count = in_a->count;
-    composite->references = references;
+static mt_status start_parts(mt_finder *finder, const mt_references *first, mt_part **parts) {
+    size_t fonts = (size_t)finder->row->font_count;
+    *parts = mt_arena_new(&finder->scratch, (size_t)first->count, sizeof **parts);
+    if (!*parts) return MT_NO_MEMORY;
+    for (int i = 0; i < first->count; i++) {
+        mt_part *part = &(*parts)[i];
+        part->of = mt_arena_new(&finder->scratch, fonts, sizeof *part->of);
+        part->at = mt_arena_new(finder->arena, fonts, sizeof *part->at);
+        if (!part->of || !part->at) return MT_NO_MEMORY;
+        part->of[0] = first->list[i].glyph;
+        part->at[0][0] = first->list[i].dx;
+        part->at[0][1] = first->list[i].dy;
+    }
     return MT_OK;
 }
 
-static mt_status read_composite(mt_finder *finder, const mt_pairing *pairing, mt_composite *composite) {
-    mt_references in_a, in_b;
-    mt_status status = mt_font_references(finder->a, pairing->a, &finder->scratch, &in_a);
-    if (status != MT_OK || in_a.count == 0) return status;
-    status = mt_font_references(finder->b, pairing->b, &finder->scratch, &in_b);
-    if (status != MT_OK || in_b.count != in_a.count) return status;
-    return match_all(finder, &in_a, &in_b, composite);
+/* *matched: each part has a counterpart in the font, and the font no more of them. */
+static mt_status match_font(mt_finder *finder, int glyph, int font, mt_part *parts, int count,
+                            bool *matched) {
+    mt_references own;
+    mt_status status =
+        mt_font_references(finder->row->fonts[font], finder->glyphs->of[font][glyph], &finder->scratch, &own);
+    if (status != MT_OK) return status;
+    bool *used = mt_arena_new(&finder->scratch, (size_t)own.count, sizeof *used);
+    if (!used) return MT_NO_MEMORY;
+    *matched = own.count == count;
+    for (int i = 0; i < count && *matched; i++) *matched = match(finder, &parts[i], &own, used, font);
+    return MT_OK;
 }
 
-static mt_status read_all(mt_finder *finder, const mt_hint_index *hints) {
-    mt_status status = MT_OK;
-    for (int i = 1; i < finder->charset->glyph_count && status == MT_OK; i++) {
-        const mt_pairing *pairing = &finder->charset->glyphs[i];
-        if (pairing->b == MT_NO_PARTNER || mt_hint_index_find(hints, pairing->a, pairing->b).count) continue;
-        status = read_composite(finder, pairing, &finder->composites[i]);
-        mt_arena_reset(&finder->scratch);
+static mt_status read_composite(mt_finder *finder, int glyph) {
+    mt_references first;
+    mt_part *parts;
+    bool matched = true;
+    mt_composite *composite = &finder->composites[glyph];
+    mt_status status =
+        mt_font_references(finder->row->fonts[0], finder->glyphs->of[0][glyph], &finder->scratch, &first);
+    if (status != MT_OK || first.count == 0) return status;
+    status = start_parts(finder, &first, &parts);
+    for (int k = 1; k < finder->row->font_count && status == MT_OK && matched; k++)
+        status = match_font(finder, glyph, k, parts, first.count, &matched);
+    if (status != MT_OK || !matched) return status;
+    composite->references = mt_arena_new(finder->arena, (size_t)first.count, sizeof *composite->references);
+    if (!composite->references) return MT_NO_MEMORY;
+    composite->count = first.count;
+    for (int i = 0; i < first.count; i++) {
+        int part = find_glyph(finder, parts[i].of, finder->row->font_count);
+        composite->references[i] = (mt_row_reference){(uint16_t)part, parts[i].at};
+    }
+    return MT_OK;
+}
+
+static bool has_hints(const mt_finder *finder, int glyph) {
+    const mt_font_glyphs *glyphs = finder->glyphs;
+    for (int k = 0; k + 1 < finder->row->font_count; k++)
+        if (mt_hint_index_find(finder->row->hints[k], glyphs->of[k][glyph], glyphs->of[k + 1][glyph]).count)
+            return true;
+    return false;
+}
+
+static mt_status read_all(mt_finder *finder) {
+    mt_status status = sort_glyphs(finder);
+    for (int i = 1; i < finder->glyphs->glyph_count && status == MT_OK; i++) {
+        mt_arena_place before = mt_arena_mark(&finder->scratch);
+        if (finder->glyphs->of[1][i] == MT_NO_PARTNER || has_hints(finder, i)) continue;
+        status = read_composite(finder, i);
+        mt_arena_rewind(&finder->scratch, before);
     }
     return status;
 }
@@ -131,16 +195,30 @@ static void find_depths(mt_composite *composites, int count) {
 
 /* ---- all of them --------------------------------------------------------------------------------------- */
 
-mt_status mt_composites_find(mt_font *a, mt_font *b, const mt_charset *charset, const mt_hint_index *hints,
-                             mt_arena *arena, mt_composite **composites) {
-    mt_finder finder = {.a = a, .b = b, .charset = charset, .arena = arena};
-    finder.composites = mt_arena_new(arena, (size_t)charset->glyph_count, sizeof *finder.composites);
+mt_status mt_composites_find(const mt_row *row, const mt_font_glyphs *glyphs, mt_arena *arena,
+                             mt_composite **composites) {
+    mt_finder finder = {.row = row, .glyphs = glyphs, .arena = arena};
+    finder.composites = mt_arena_new(arena, (size_t)glyphs->glyph_count, sizeof *finder.composites);
     if (!finder.composites) return MT_NO_MEMORY;
-    mt_status status = sort_pairs(&finder);
-    if (status == MT_OK) status = read_all(&finder, hints);
+    mt_status status = row->params.rotation == MT_ROTATION_NONE ? read_all(&finder) : MT_OK;
     mt_arena_release(&finder.scratch);
     if (status != MT_OK) return status;
-    find_depths(finder.composites, charset->glyph_count);
+    find_depths(finder.composites, glyphs->glyph_count);
     *composites = finder.composites;
     return MT_OK;
+}
+
+static bool to_units(double value, int16_t *rounded) {
+    double whole = floor(value + 0.5);
+    if (!(whole >= INT16_MIN && whole <= INT16_MAX)) return false;
+    *rounded = (int16_t)whole;
+    return true;
+}
+
+bool mt_reference_at(const mt_row *row, const mt_row_reference *reference, mt_between between, int units,
+                     int16_t *dx, int16_t *dy) {
+    const int *a = reference->at[between.first], *b = reference->at[between.first + 1];
+    double unit_a = (1 - between.t) * units / mt_font_units(row->fonts[between.first]);
+    double unit_b = between.t * units / mt_font_units(row->fonts[between.first + 1]);
+    return to_units(unit_a * a[0] + unit_b * b[0], dx) && to_units(unit_a * a[1] + unit_b * b[1], dy);
 }

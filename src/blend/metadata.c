@@ -98,8 +98,7 @@ static uint16_t stricter(uint16_t a, uint16_t b) {
     return further;
 }
 
-mt_status mt_metadata_fill(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
-                           mt_font_data *data) {
+void mt_metadata_fill(const mt_font *a, const mt_font *b, double t, mt_font_data *data) {
     mt_metrics in_a, in_b;
     mt_font_metrics(a, &in_a);
     mt_font_metrics(b, &in_b);
@@ -108,5 +107,4 @@ mt_status mt_metadata_fill(const mt_font *a, const mt_font *b, double t, const c
     data->metrics = mix_metrics(&in_a, &in_b, scale, t);
     data->created = data->modified = date_of(a, b);
     data->embedding = stricter(mt_font_embedding(a), mt_font_embedding(b));
-    return mt_metadata_names(a, b, t, family, arena, data);
 }

@@ -8,13 +8,11 @@
  * 2048. On a coarse grid rounding alone blunts the thin tips of a brushed Han face. */
 int mt_metadata_units(const mt_font *a, const mt_font *b);
 
-/* Fills the metrics, names, dates and embedding bits of `data` for the font at t; its units must be set.
- * `family` replaces the family name made from the sources' when it is not NULL. The strings belong to the
- * arena, the fonts or the caller. MT_NO_MEMORY. */
-mt_status mt_metadata_fill(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
-                           mt_font_data *data);
+/* Fills the metrics, dates and embedding bits of `data` for the font at t; its units must be set. */
+void mt_metadata_fill(const mt_font *a, const mt_font *b, double t, mt_font_data *data);
 
-/* recipe_names.c: the names alone. */
+/* metadata_names.c: the names of the font at t. `family` replaces the family name made from the sources' when it is not
+ * NULL. The strings belong to the arena, the fonts or the caller. MT_NO_MEMORY. */
 mt_status mt_metadata_names(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
                             mt_font_data *data);
 /* The names of a font that varies along the axis of axis.h from the first of 2 … 64 fonts to the last; all but the style.

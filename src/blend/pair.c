@@ -2,7 +2,10 @@
 
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "glyphset/match.h"
 #include "morph/prepare.h"
+
+/* ---- one side ------------------------------------------------------------------------------------------ */
 
 /* Where the drawing's own contours cross, the resolved shape has corners of its own, like any other. */
 static void crossings_are_corners(mt_shape *shape) {
@@ -27,14 +30,45 @@ mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_are
     return status;
 }
 
-mt_status mt_glyph_pair_prepare(mt_font *a, mt_font *b, uint32_t code_point, const mt_hint_index *hints,
-                                const mt_params *params, mt_arena *arena, mt_glyph_pair *pair) {
-    uint32_t in_a = mt_font_glyph(a, code_point), in_b = mt_font_glyph(b, code_point);
-    if (!in_a || !in_b) return MT_NO_GLYPH;
-    mt_hints found = mt_hint_index_find(hints, in_a, in_b);
-    mt_status status = mt_glyph_shape(a, in_a, params->tolerance, arena, &pair->a, &pair->advance_a);
-    if (status == MT_OK)
-        status = mt_glyph_shape(b, in_b, params->tolerance, arena, &pair->b, &pair->advance_b);
-    if (status == MT_OK) status = mt_morph_prepare(&pair->a, &pair->b, &found, params, arena, &pair->morph);
+static mt_status read_room(mt_font *font, uint32_t glyph, mt_glyph_room *room) {
+    mt_status across = mt_font_advance(font, glyph, &room->advance);
+    mt_status down = mt_font_vertical(font, glyph, &room->vertical);
+    return across == MT_NO_MEMORY || down == MT_NO_MEMORY ? MT_NO_MEMORY : MT_OK;
+}
+
+/* ---- both ---------------------------------------------------------------------------------------------- */
+
+mt_status mt_pair_read_rooms(mt_row *row, int step, uint32_t a, uint32_t b, mt_glyph_pair *pair) {
+    pthread_mutex_lock(&row->lock);
+    mt_status status = read_room(row->fonts[step], a, &pair->room_a);
+    if (b == MT_NO_PARTNER)
+        pair->room_b = pair->room_a;
+    else if (status == MT_OK)
+        status = read_room(row->fonts[step + 1], b, &pair->room_b);
+    pthread_mutex_unlock(&row->lock);
     return status;
+}
+
+mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,
+                          mt_glyph_pair *pair) {
+    double tolerance = row->params.tolerance;
+    bool alone = b == MT_NO_PARTNER;
+    mt_status in_b = MT_OK;
+    pthread_mutex_lock(&row->lock);
+    mt_status in_a = mt_glyph_shape(row->fonts[step], a, tolerance, arena, &pair->a, &pair->room_a.advance);
+    if (!alone)
+        in_b = mt_glyph_shape(row->fonts[step + 1], b, tolerance, arena, &pair->b, &pair->room_b.advance);
+    pthread_mutex_unlock(&row->lock);
+    if (in_a != MT_OK || in_b != MT_OK || alone) return in_a != MT_OK ? in_a : in_b;
+    mt_hints hints = mt_hint_index_find(row->hints[step], a, b);
+    return mt_morph_prepare(&pair->a, &pair->b, &hints, &row->params, arena, &pair->morph);
+}
+
+mt_status mt_pair_prepare_char(mt_row *row, uint32_t code_point, mt_arena *arena, mt_glyph_pair *pair) {
+    *pair = (mt_glyph_pair){0};
+    pthread_mutex_lock(&row->lock);
+    uint32_t a = mt_font_glyph(row->fonts[0], code_point);
+    uint32_t b = row->font_count > 1 ? mt_font_glyph(row->fonts[1], code_point) : MT_NO_PARTNER;
+    pthread_mutex_unlock(&row->lock);
+    return a && b ? mt_pair_prepare(row, 0, a, b, arena, pair) : MT_NO_GLYPH;
 }

@@ -1,16 +1,21 @@
-/* One glyph's way from two fonts to a morph, and from the morph to a glyph of the new font. */
+/* One glyph between two neighbours of a row: read from both fonts, its hints found, its morph prepared. Blends, variable
+ * fonts, reports and inspections all take it from here; any place between the two is then asked of the morph. */
 #ifndef MT_BLEND_PAIR_H
 #define MT_BLEND_PAIR_H
 
-#include "hints/index.h"
+#include "blend/row.h"
 #include "morph/model/morph.h"
-#include "source/font.h"
 #include "write/font_data.h"
+
+/* The room that a glyph takes in a line, grid units. */
+typedef struct mt_glyph_room {
+    double advance;
+    mt_vertical vertical;
+} mt_glyph_room;
 
 typedef struct mt_glyph_pair {
     mt_shape a, b;
-    double advance_a, advance_b; /* grid units */
-    mt_vertical vertical_a, vertical_b;
+    mt_glyph_room room_a, room_b;
     mt_morph morph;
 } mt_glyph_pair;
 
@@ -19,19 +24,23 @@ typedef struct mt_glyph_pair {
 mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_arena *arena, mt_shape *shape,
                          double *advance);
 
-/* Reads the character from both fonts and prepares its morph, by its hints in `hints` (unless NULL), an index
- * for these two fonts; all in the arena. As mt_glyph_shape and mt_morph_prepare; MT_NO_GLYPH when one font
- * lacks it. */
-mt_status mt_glyph_pair_prepare(mt_font *a, mt_font *b, uint32_t code_point, const mt_hint_index *hints,
-                                const mt_params *params, mt_arena *arena, mt_glyph_pair *pair);
+/* Reads the room that both glyphs take between fonts number `step` and step + 1: 0 where it cannot be read. With
+ * MT_NO_PARTNER for `b` both rooms are A's. MT_NO_MEMORY. */
+mt_status mt_pair_read_rooms(mt_row *row, int step, uint32_t a, uint32_t b, mt_glyph_pair *pair);
 
-/* An outline as 'glyf' has it, in `units` to the em: outer contours clockwise, points on whole units, those
- * on the curve that lie midway between their neighbours implied. The advance is in grid units. MT_NO_MEMORY,
- * MT_TOO_LARGE. */
-mt_status mt_outline_glyf(const mt_outline *outline, double advance, int units, mt_arena *arena,
-                          mt_glyf *glyf);
+/* Reads both glyphs' shapes and advances, and prepares their morph by their hints, in the arena; with MT_NO_PARTNER for `b`
+ * it reads A's shape and advance alone. A shape that cannot be read is empty. As mt_glyph_shape and mt_morph_prepare. */
+mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,
+                          mt_glyph_pair *pair);
 
-/* Gives the glyph its vertical metrics, from grid units; at the end of the range where they are beyond. */
-void mt_glyf_hang(mt_vertical vertical, int units, mt_glyf *glyf);
+/* The same of a character between the first two fonts, or of a row's one font. MT_NO_GLYPH when a font lacks it. */
+mt_status mt_pair_prepare_char(mt_row *row, uint32_t code_point, mt_arena *arena, mt_glyph_pair *pair);
+
+/* The room at a place between two glyphs. */
+static inline mt_glyph_room mt_room_between(const mt_glyph_room *a, const mt_glyph_room *b, double t) {
+    return (mt_glyph_room){(1 - t) * a->advance + t * b->advance,
+                           {(1 - t) * a->vertical.advance + t * b->vertical.advance,
+                            (1 - t) * a->vertical.origin + t * b->vertical.origin}};
+}
 
 #endif

@@ -1,113 +1,201 @@
-/* The variable font of two or more fonts: what it goes by. */
-#include "blend/variable_job.h"
-#include "write/write.h"
+/* A variable font: the tracks of each glyph joined, the axis named, all of it as data. */
+#include "blend/variable.h"
 
-#include "save/save.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
-mt_status mt_variable_new(mt_font *const *fonts, int count, const mt_params *params, mt_variable **variable) {
-    if (count < 2 || count > MT_VARIABLE_FONTS_MAX) return MT_BAD_PARAMETER;
-    mt_variable *made = mt_new(1, sizeof *made);
-    mt_font **copy = mt_new((size_t)count, sizeof *copy);
-    mt_blend **steps = mt_new((size_t)count - 1, sizeof *steps);
-    mt_status status = made && copy && steps ? MT_OK : MT_NO_MEMORY;
-    for (int i = 0; i + 1 < count && status == MT_OK; i++)
-        status = mt_blend_new(fonts[i], fonts[i + 1], params, &steps[i]);
-    if (status != MT_OK) {
-        for (int i = 0; steps && i + 1 < count; i++) mt_blend_free(steps[i]);
-        mt_free(made);
-        mt_free(copy);
-        mt_free(steps);
-        return status;
+#include "blend/assemble.h"
+#include "blend/join.h"
+#include "blend/masters.h"
+#include "blend/metadata.h"
+#include "blend/varying_tables.h"
+#include "geometry/limits.h"
+#include "sfnt/axis.h"
+
+typedef struct mt_variable_maker {
+    mt_variable *variable;
+    mt_making making;
+    mt_outlines outlines;
+    mt_glyf *glyphs;
+    mt_glyph_path *paths;
+    double *values; /* what users set for each font */
+} mt_variable_maker;
+
+/* ---- the glyphs ---------------------------------------------------------------------------------------- */
+
+/* A glyph whose points or moves are more than a font has room for is blank, and reported. */
+static mt_status join_glyphs(mt_variable_maker *maker) {
+    mt_making *making = &maker->making;
+    size_t count = (size_t)making->glyph_count;
+    maker->glyphs = mt_arena_new(&making->arena, count, sizeof *maker->glyphs);
+    maker->paths = mt_arena_new(&making->arena, count, sizeof *maker->paths);
+    if (!maker->glyphs || !maker->paths) return MT_NO_MEMORY;
+    for (int i = 0; i < making->glyph_count; i++) {
+        mt_status status = mt_tracks_join(making, &maker->outlines, i, &maker->glyphs[i], &maker->paths[i]);
+        if (status == MT_TOO_LARGE)
+            mt_making_report(making, i, status);
+        else if (status != MT_OK)
+            return status;
     }
-    for (int i = 0; i < count; i++) copy[i] = fonts[i];
-    *made = (mt_variable){.count = count, .fonts = copy, .steps = steps};
-    *variable = made;
     return MT_OK;
 }
 
-void mt_variable_free(mt_variable *variable) {
-    if (!variable) return;
-    for (int i = 0; i + 1 < variable->count; i++) mt_blend_free(variable->steps[i]);
-    mt_free(variable->steps);
-    mt_free(variable->fonts);
-    mt_axis_map_free(&variable->map);
-    mt_free(variable);
+/* ---- overlaps ------------------------------------------------------------------------------------------ */
+
+/* The box around the contours at all places. */
+static mt_bounds sweep_contours(const mt_glyf *glyph, const mt_glyph_path *path) {
+    mt_bounds sweep = mt_no_bounds;
+    for (int i = 0; i < mt_glyf_point_count(glyph); i++) {
+        int x = glyph->points[i].x, y = glyph->points[i].y;
+        sweep = mt_bounds_join(sweep, (mt_bounds){x, y, x, y});
+        for (int k = 0; k < path->place_count; k++) {
+            mt_font_point p = path->at[k][i];
+            sweep = mt_bounds_join(sweep, (mt_bounds){p.x, p.y, p.x, p.y});
+        }
+    }
+    return sweep;
 }
 
-void mt_variable_on_failure(mt_variable *variable, mt_glyph_failed call, void *user) {
-    for (int i = 0; i + 1 < variable->count; i++) mt_blend_on_failure(variable->steps[i], call, user);
+/* The box around a part at all places, from the one around the glyph that it is. */
+static mt_bounds sweep_part(const mt_glyf *glyph, const mt_glyph_path *path, int i, mt_bounds part) {
+    mt_bounds sweep = mt_bounds_move(part, glyph->references[i].dx, glyph->references[i].dy);
+    for (int k = 0; k < path->place_count; k++)
+        sweep = mt_bounds_join(sweep, mt_bounds_move(part, path->at[k][i].x, path->at[k][i].y));
+    return sweep;
 }
 
-void mt_variable_on_progress(mt_variable *variable, mt_progress call, void *user) {
-    variable->progress = call;
-    variable->progress_user = user;
-}
-
-mt_status mt_variable_set_family(mt_variable *variable, const char *name) {
-    return mt_blend_set_family(variable->steps[0], name);
-}
-
-mt_status mt_variable_set_chars(mt_variable *variable, const uint32_t *code_points, int count) {
-    return mt_blend_set_chars(variable->steps[0], code_points, count);
-}
-
-void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set) {
-    mt_blend_set_glyphs(variable->steps[0], set);
-}
-
-mt_status mt_variable_set_map(mt_variable *variable, const double *values, const double *places, int count) {
-    mt_axis_map map = {0};
-    mt_status status = count == 0 ? MT_OK : mt_axis_map_make(values, places, count, &map);
-    if (status != MT_OK) return status;
-    mt_axis_map_free(&variable->map);
-    variable->map = map;
+/* A composite whose parts all are blank is blank itself. The room in the line stays; its phantom points come first now. */
+static mt_status make_blank(mt_glyf *glyph, mt_glyph_path *path, mt_arena *arena) {
+    mt_font_point **at = mt_arena_new(arena, (size_t)path->place_count, sizeof *at);
+    if (!at) return MT_NO_MEMORY;
+    for (int i = 0; i < path->place_count; i++) at[i] = path->at[i] + glyph->reference_count;
+    path->at = at;
+    glyph->reference_count = 0;
     return MT_OK;
 }
 
-const mt_axis_map *mt_variable_map(const mt_variable *variable) {
-    return &variable->map;
+/* `sweeps` has the boxes around the glyphs of lower depth. */
+static mt_status look_at_parts(mt_variable_maker *maker, int index, mt_bounds *sweeps) {
+    mt_arena *arena = &maker->making.arena;
+    mt_glyf *glyph = &maker->glyphs[index];
+    mt_glyph_path *path = &maker->paths[index];
+    mt_bounds *parts = mt_arena_new(arena, (size_t)glyph->reference_count, sizeof *parts);
+    if (!parts) return MT_NO_MEMORY;
+    for (int i = 0; i < glyph->reference_count; i++) {
+        int part = glyph->references[i].glyph;
+        parts[i] = sweep_part(glyph, path, i, sweeps[part]);
+        glyph->overlaps = glyph->overlaps || maker->glyphs[part].overlaps;
+        sweeps[index] = mt_bounds_join(sweeps[index], parts[i]);
+    }
+    glyph->overlaps = glyph->overlaps || mt_boxes_meet(parts, glyph->reference_count);
+    return mt_bounds_empty(sweeps[index]) ? make_blank(glyph, path, arena) : MT_OK;
 }
 
-int mt_variable_unblended(const mt_variable *variable) {
-    return mt_blend_unblended(variable->steps[0]);
-}
-
-mt_status mt_variable_set_hints(mt_variable *variable, const mt_hint_table *table, mt_hint_error *error) {
-    mt_status status = MT_OK;
-    for (int i = 0; i + 1 < variable->count && status == MT_OK; i++)
-        status = mt_blend_set_hints(variable->steps[i], table, error);
+/* Tells which composites have parts that may overlap on the way. */
+static mt_status find_overlaps(mt_variable_maker *maker) {
+    mt_making *making = &maker->making;
+    mt_bounds *sweeps = mt_arena_new(&making->arena, (size_t)making->glyph_count, sizeof *sweeps);
+    mt_status status = sweeps ? MT_OK : MT_NO_MEMORY;
+    for (int turn = 0; turn < making->glyph_count && status == MT_OK; turn++) {
+        int i = making->order[turn];
+        sweeps[i] = sweep_contours(&maker->glyphs[i], &maker->paths[i]);
+        if (maker->glyphs[i].reference_count > 0) status = look_at_parts(maker, i, sweeps);
+    }
     return status;
 }
 
-const mt_hint_index *mt_variable_hints(const mt_variable *variable, int step) {
-    return mt_blend_hints(variable->steps[step]);
+/* ---- the axis ------------------------------------------------------------------------------------------ */
+
+static mt_status find_values(mt_variable_maker *maker) {
+    int fonts = maker->variable->row.font_count;
+    maker->values = mt_arena_new(&maker->making.arena, (size_t)fonts, sizeof *maker->values);
+    if (!maker->values) return MT_NO_MEMORY;
+    for (int i = 0; i < fonts; i++)
+        maker->values[i] = mt_axis_map_value(&maker->variable->map, maker->outlines.places[i]);
+    return MT_OK;
 }
 
-mt_status mt_variable_warnings(const mt_variable *variable, mt_warning call, void *user) {
-    mt_status status = MT_OK;
-    for (int i = 0; i + 1 < variable->count && status == MT_OK; i++)
-        status = mt_blend_warnings(variable->steps[i], call, user);
+/* Adds a place, unless one has its name. */
+static mt_status name_place(double value, mt_arena *arena, mt_named_place *named, int *count) {
+    enum { NAME_ROOM = 32 };
+    char *name = mt_arena_new(arena, NAME_ROOM, 1);
+    if (!name) return MT_NO_MEMORY;
+    snprintf(name, NAME_ROOM, MT_AXIS_NAME " %.4g", value);
+    for (int i = 0; i < *count; i++)
+        if (strcmp(named[i].name, name) == 0) return MT_OK;
+    named[(*count)++] = (mt_named_place){value, name};
+    return MT_OK;
+}
+
+static int compare_places(const void *a, const void *b) {
+    double x = ((const mt_named_place *)a)->value, y = ((const mt_named_place *)b)->value;
+    return (x > y) - (x < y);
+}
+
+/* The quarters of the axis, and its fonts. */
+static mt_status name_places(mt_variable_maker *maker, mt_axis_data *variation) {
+    enum { QUARTERS = 4 };
+    mt_arena *arena = &maker->making.arena;
+    int fonts = maker->variable->row.font_count, count = 0;
+    mt_named_place *named = mt_arena_new(arena, QUARTERS + 1 + (size_t)fonts, sizeof *named);
+    mt_status status = named ? MT_OK : MT_NO_MEMORY;
+    for (int i = 0; i <= QUARTERS && status == MT_OK; i++)
+        status = name_place((double)MT_AXIS_END * i / QUARTERS, arena, named, &count);
+    for (int i = 0; i < fonts && status == MT_OK; i++)
+        status = name_place(maker->values[i], arena, named, &count);
+    if (status != MT_OK) return status;
+    qsort(named, (size_t)count, sizeof *named, compare_places);
+    variation->named = named;
+    variation->named_count = count;
+    return MT_OK;
+}
+
+/* ---- the font ------------------------------------------------------------------------------------------ */
+
+static mt_status hand_over(mt_variable_maker *maker, bool masters, mt_font_ready ready, void *user) {
+    const mt_row *row = &maker->variable->row;
+    mt_axis_data variation = {.tag = MT_AXIS_TAG,
+                              .name = MT_AXIS_NAME,
+                              .least = 0,
+                              .most = MT_AXIS_END,
+                              .paths = maker->paths,
+                              .map = maker->variable->map};
+    mt_font_data data = mt_making_font(&maker->making, maker->glyphs);
+    data.variation = &variation;
+    mt_status status = find_values(maker);
+    if (status == MT_OK) status = name_places(maker, &variation);
+    mt_metadata_fill(row->fonts[0], row->fonts[1], 0, &data); /* the font as it stands: at the first one */
+    if (status == MT_OK)
+        status = mt_metadata_axis_names(row->fonts, maker->values, row->font_count, row->family,
+                                        &maker->making.arena, &data);
+    if (status != MT_OK) return status;
+    data.style = variation.named[0].name;
+    status = mt_varying_tables_add(&maker->making, &maker->outlines, &data);
+    if (status != MT_OK) return status;
+    return masters ? mt_masters_make(&maker->making, &maker->outlines, &data, ready, user)
+                   : ready(&data, 0, user);
+}
+
+static mt_status make(mt_variable *variable, const mt_sink *also, bool masters, mt_font_ready ready,
+                      void *user) {
+    mt_variable_maker maker = {.variable = variable};
+    mt_making *making = &maker.making;
+    making->sinks[making->sink_count++] = mt_outlines_sink(&maker.outlines);
+    if (also) making->sinks[making->sink_count++] = *also;
+    mt_status status = mt_making_begin_font(making, &variable->row);
+    if (status == MT_OK) status = mt_making_run(making);
+    if (status == MT_OK) status = join_glyphs(&maker);
+    if (status == MT_OK) status = find_overlaps(&maker);
+    if (status == MT_OK) status = hand_over(&maker, masters, ready, user);
+    mt_making_end(making);
     return status;
 }
 
-/* ---- in memory ----------------------------------------------------------------------------------------- */
-
-typedef struct mt_one_font {
-    uint8_t *bytes;
-    size_t length;
-} mt_one_font;
-
-static mt_status keep_bytes(const mt_font_data *data, int index, void *user) {
-    mt_one_font *font = user;
-    (void)index;
-    return mt_font_write(data, &font->bytes, &font->length);
+mt_status mt_variable_make(mt_variable *variable, const mt_sink *also, mt_font_ready ready, void *user) {
+    return make(variable, also, false, ready, user);
 }
 
-mt_status mt_variable_font(mt_variable *variable, uint8_t **bytes, size_t *length) {
-    mt_one_font font;
-    mt_status status = mt_variable_make(variable, keep_bytes, &font);
-    if (status != MT_OK) return status;
-    *bytes = font.bytes;
-    *length = font.length;
-    return MT_OK;
+mt_status mt_variable_masters(mt_variable *variable, mt_font_ready ready, void *user) {
+    return make(variable, NULL, true, ready, user);
 }

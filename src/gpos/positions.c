@@ -207,14 +207,13 @@ static mt_status prepare(mt_position_job *job, mt_font *const *fonts, int units)
     return status == MT_OK ? prepare_anchors(job, units) : status;
 }
 
-mt_status mt_positions_prepare(mt_font *const *fonts, const mt_charset *charsets, int font_count, int units,
+mt_status mt_positions_prepare(mt_font *const *fonts, const mt_font_glyphs *glyphs, int units,
                                mt_arena *arena, mt_positions **positions) {
-    mt_position_job job = {.arena = arena, .pair_steps = MT_PAIR_STEPS_MAX};
+    mt_position_job job = {.glyphs = *glyphs, .arena = arena, .pair_steps = MT_PAIR_STEPS_MAX};
     job.positions = mt_arena_new(arena, 1, sizeof *job.positions);
     if (!job.positions) return MT_NO_MEMORY;
-    job.positions->font_count = font_count;
-    mt_status status = mt_font_glyphs_make(charsets, font_count, &job.scratch, &job.glyphs);
-    if (status == MT_OK) status = prepare(&job, fonts, units);
+    job.positions->font_count = glyphs->font_count;
+    mt_status status = prepare(&job, fonts, units);
     mt_arena_release(&job.scratch);
     if (status == MT_OK) *positions = job.positions;
     return status;

@@ -6,17 +6,15 @@
 #ifndef MT_GPOS_POSITIONS_H
 #define MT_GPOS_POSITIONS_H
 
-#include "glyphset/charset.h"
+#include "glyphset/places.h"
 #include "layout/lookup_builder.h"
 #include "sfnt/sfnt.h"
 
 typedef struct mt_positions mt_positions;
 
-/* Reads the layout of 2 … MT_STOPS_MAX fonts for the glyphs of the charsets, which are then the new font's in that
- * order. charsets[k], one less than there are fonts, pairs the first font with font k + 1, and all have the same glyphs
- * of the first font. `units` is the new font's per em. The result belongs to the arena and needs the fonts and the
- * charsets no more. Not for two threads at once. MT_NO_MEMORY. */
-mt_status mt_positions_prepare(mt_font *const *fonts, const mt_charset *charsets, int font_count, int units,
+/* Reads the layout of 2 … MT_STOPS_MAX fonts for the new font's glyphs. `units` is the new font's per em. The result
+ * belongs to the arena and needs the fonts and the glyphs no more. Not for two threads at once. MT_NO_MEMORY. */
+mt_status mt_positions_prepare(mt_font *const *fonts, const mt_font_glyphs *glyphs, int units,
                                mt_arena *arena, mt_positions **positions);
 
 /* The GPOS table of the font at t: 0 is the first font, 1 the second, and so on. In the arena; no bytes where there is

@@ -19,9 +19,4 @@ void mt_hint_index_free(mt_hint_index *index); /* NULL is fine */
  * where `index` is NULL. */
 mt_hints mt_hint_index_find(const mt_hint_index *index, uint32_t a, uint32_t b);
 
-/* Those that a blend goes by; NULL: none. They belong to the blend. */
-const mt_hint_index *mt_blend_hints(const mt_blend *blend);
-/* The same between two neighbours of a variable font: the fonts number `step`, from 0, and the next one. */
-const mt_hint_index *mt_variable_hints(const mt_variable *variable, int step);
-
 #endif

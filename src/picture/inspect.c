@@ -250,14 +250,13 @@ static mt_status open_canvas(const mt_inspection *what, bool paired, mt_format f
     return mt_canvas_open(format, width, height, canvas);
 }
 
-static mt_status draw_views(cairo_t *cairo, mt_font *a, mt_font *b, const mt_params *params,
-                            const mt_inspection *what, uint32_t *failed) {
+static mt_status draw_views(cairo_t *cairo, mt_row *row, const mt_inspection *what, uint32_t *failed) {
     mt_arena arena = {0};
     mt_status status = MT_OK;
     for (int i = 0; status == MT_OK && i < what->count; i++) {
         mt_view view;
         mt_arena_reset(&arena);
-        status = mt_view_prepare(a, b, what->code_points[i], what->hints, params, &arena, &view);
+        status = mt_view_prepare(row, what->code_points[i], &arena, &view);
         if (status != MT_OK && failed) *failed = what->code_points[i];
         double top = MARGIN * what->size + i * row_height(what->size);
         if (status == MT_OK) status = draw_view(cairo, &view, what->size, top, &arena);
@@ -266,17 +265,16 @@ static mt_status draw_views(cairo_t *cairo, mt_font *a, mt_font *b, const mt_par
     return status;
 }
 
-mt_status mt_inspect_save(mt_font *a, mt_font *b, const mt_params *params, const mt_inspection *what,
-                          const char *path, uint32_t *failed) {
+mt_status mt_inspect_save(mt_row *row, const mt_inspection *what, const char *path, uint32_t *failed) {
     mt_format format;
     mt_canvas canvas;
     if (failed) *failed = 0;
     mt_status status = mt_format_of(path, &format);
     if (status != MT_OK) return status;
     if (what->count < 1 || !(what->size >= MT_SIZE_MIN && what->size <= MT_SIZE_MAX)) return MT_BAD_PARAMETER;
-    status = open_canvas(what, b != NULL, format, &canvas);
+    status = open_canvas(what, row->font_count > 1, format, &canvas);
     if (status != MT_OK) return status;
-    status = draw_views(canvas.cairo, a, b, params, what, failed);
+    status = draw_views(canvas.cairo, row, what, failed);
     if (status == MT_OK) status = mt_canvas_save(&canvas, path);
     mt_canvas_close(&canvas);
     return status;

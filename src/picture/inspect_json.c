@@ -153,9 +153,9 @@ static void add_view(mt_json *json, const mt_view *view) {
     mt_json_object(json, NULL);
     mt_json_text(json, "character", character);
     mt_json_int(json, "code_point", view->code_point);
-    add_side(json, "a", &morph->a, view->pair.advance_a, &none);
+    add_side(json, "a", &morph->a, view->pair.room_a.advance, &none);
     if (view->paired) {
-        add_side(json, "b", &morph->b, view->pair.advance_b, &turn);
+        add_side(json, "b", &morph->b, view->pair.room_b.advance, &turn);
         mt_json_number(json, "rotation", morph->degrees);
         add_links(json, "matches", &morph->matches);
         add_contours(json, morph, &none, &turn);
@@ -164,22 +164,21 @@ static void add_view(mt_json *json, const mt_view *view) {
     mt_json_object_end(json);
 }
 
-static void add_heading(mt_json *json, const mt_font *a, const mt_font *b) {
+static void add_heading(mt_json *json, const mt_row *row) {
     mt_json_text(json, "format", "morphotype inspection");
     mt_json_int(json, "version", 1);
-    add_font(json, "a", a);
-    if (b) add_font(json, "b", b);
+    add_font(json, "a", row->fonts[0]);
+    if (row->font_count > 1) add_font(json, "b", row->fonts[1]);
 }
 
-static mt_status add_glyphs(mt_json *json, mt_font *a, mt_font *b, const mt_params *params,
-                            const mt_inspection *what, uint32_t *failed) {
+static mt_status add_glyphs(mt_json *json, mt_row *row, const mt_inspection *what, uint32_t *failed) {
     mt_arena arena = {0};
     mt_status status = MT_OK;
     mt_json_array(json, "glyphs");
     for (int i = 0; status == MT_OK && i < what->count; i++) {
         mt_view view;
         mt_arena_reset(&arena);
-        status = mt_view_prepare(a, b, what->code_points[i], what->hints, params, &arena, &view);
+        status = mt_view_prepare(row, what->code_points[i], &arena, &view);
         if (status == MT_OK)
             add_view(json, &view);
         else if (failed)
@@ -190,13 +189,13 @@ static mt_status add_glyphs(mt_json *json, mt_font *a, mt_font *b, const mt_para
     return status == MT_OK ? json->status : status;
 }
 
-mt_status mt_inspect_json(mt_font *a, mt_font *b, const mt_params *params, const mt_inspection *what,
-                          uint8_t **bytes, size_t *length, uint32_t *failed) {
+mt_status mt_inspect_json(mt_row *row, const mt_inspection *what, uint8_t **bytes, size_t *length,
+                          uint32_t *failed) {
     mt_json json = {0};
     if (failed) *failed = 0;
     mt_json_object(&json, NULL);
-    add_heading(&json, a, b);
-    mt_status status = add_glyphs(&json, a, b, params, what, failed);
+    add_heading(&json, row);
+    mt_status status = add_glyphs(&json, row, what, failed);
     mt_json_object_end(&json);
     if (status == MT_OK) status = json.status;
     if (status == MT_OK) {

@@ -4,8 +4,7 @@
 #ifndef MT_PICTURE_PICTURE_H
 #define MT_PICTURE_PICTURE_H
 
-#include "hints/index.h"
-#include "morphotype.h"
+#include "blend/row.h"
 
 /* What a picture may be asked for; beyond it is MT_BAD_PARAMETER. */
 #define MT_STEPS_MAX 1000
@@ -53,17 +52,15 @@ mt_status mt_sheet_save(mt_blend *blend, const mt_sheet *sheet, const char *path
 typedef struct mt_inspection {
     const uint32_t *code_points;
     int count;
-    double size;                /* pixels or points an em */
-    const mt_hint_index *hints; /* for both fonts; NULL: none */
+    double size; /* pixels or points an em */
 } mt_inspection;
 
-/* Per character: both sides, components by colour, pieces outlined, links drawn between the pieces' centres.
- * With B NULL only A's components and pieces. Where a character's morph cannot be made, `failed` (unless
- * NULL) says at which; it is 0 for other errors. */
-mt_status mt_inspect_save(mt_font *a, mt_font *b, const mt_params *params, const mt_inspection *what,
-                          const char *path, uint32_t *failed);
+/* Per character: both sides, components by colour, pieces outlined, links drawn between the pieces' centres. Of a row of one
+ * font only its components and pieces. Where a character's morph cannot be made, `failed` (unless NULL) says at which; it
+ * is 0 for other errors. */
+mt_status mt_inspect_save(mt_row *row, const mt_inspection *what, const char *path, uint32_t *failed);
 /* The same as data, schema in docs/guide.md; bytes for mt_bytes_free. */
-mt_status mt_inspect_json(mt_font *a, mt_font *b, const mt_params *params, const mt_inspection *what,
-                          uint8_t **bytes, size_t *length, uint32_t *failed);
+mt_status mt_inspect_json(mt_row *row, const mt_inspection *what, uint8_t **bytes, size_t *length,
+                          uint32_t *failed);
 
 #endif

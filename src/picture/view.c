@@ -1,7 +1,6 @@
 #include "picture/view.h"
 
 #include "geometry/decompose.h"
-#include "morph/model/params.h"
 
 #include <string.h>
 
@@ -32,19 +31,9 @@ static mt_status decompose(const mt_shape *shape, mt_arena *arena, mt_side *side
     return MT_OK;
 }
 
-static mt_status prepare_one(mt_font *font, uint32_t code_point, const mt_params *params, mt_arena *arena,
-                             mt_glyph_pair *pair) {
-    uint32_t glyph = mt_font_glyph(font, code_point);
-    if (glyph == 0) return MT_NO_GLYPH;
-    mt_status status = mt_glyph_shape(font, glyph, params->tolerance, arena, &pair->a, &pair->advance_a);
-    return status == MT_OK ? decompose(&pair->a, arena, &pair->morph.a) : status;
-}
-
-mt_status mt_view_prepare(mt_font *a, mt_font *b, uint32_t code_point, const mt_hint_index *hints,
-                          const mt_params *params, mt_arena *arena, mt_view *view) {
-    *view = (mt_view){.code_point = code_point, .paired = b};
-    mt_status status = mt_params_check(params);
-    if (status != MT_OK) return status;
-    if (!b) return prepare_one(a, code_point, params, arena, &view->pair);
-    return mt_glyph_pair_prepare(a, b, code_point, hints, params, arena, &view->pair);
+mt_status mt_view_prepare(mt_row *row, uint32_t code_point, mt_arena *arena, mt_view *view) {
+    *view = (mt_view){.code_point = code_point, .paired = row->font_count > 1};
+    mt_status status = mt_pair_prepare_char(row, code_point, arena, &view->pair);
+    if (status != MT_OK || view->paired) return status;
+    return decompose(&view->pair.a, arena, &view->pair.morph.a);
 }

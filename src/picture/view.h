@@ -6,13 +6,12 @@
 
 typedef struct mt_view {
     uint32_t code_point;
-    bool paired; /* there is a second font; otherwise only pair.a, pair.advance_a and pair.morph.a are set */
+    bool paired; /* there is a second font; otherwise only pair.a, its advance and pair.morph.a are set */
     mt_glyph_pair pair;
 } mt_view;
 
-/* Decomposes the character in A and, with B not NULL, in B, and matches both, by its hints in `hints` (unless
- * NULL); in the arena. MT_NO_GLYPH, and what mt_glyph_pair_prepare gives. */
-mt_status mt_view_prepare(mt_font *a, mt_font *b, uint32_t code_point, const mt_hint_index *hints,
-                          const mt_params *params, mt_arena *arena, mt_view *view);
+/* Prepares the character between the row's first two fonts, in the arena; of a row of one font, decomposes it. As
+ * mt_pair_prepare_char. */
+mt_status mt_view_prepare(mt_row *row, uint32_t code_point, mt_arena *arena, mt_view *view);
 
 #endif

@@ -53,41 +53,28 @@ static void put_percent(mt_page *page, const char *sign, double share) {
 
 /* ---- strips -------------------------------------------------------------------------------------------- */
 
-typedef struct mt_strip_job {
-    const mt_report *report;
-    mt_buffer *strips;
-    int first; /* flagged glyphs before this one failed, and have no strip */
-    pthread_mutex_t fonts;
-} mt_strip_job;
-
-/* A task. */
-static mt_status draw_strip(int index, mt_arena *scratch, void *user) {
-    mt_strip_job *job = user;
-    const mt_report_request *request = &job->report->request;
-    const mt_report_glyph *glyph = &job->report->glyphs[job->first + index];
+/* A task: the strip of the index-th glyph that did not fail. Failed glyphs are the worst and stand before all others. */
+static mt_status draw_strip(int index, mt_arena *scratch, mt_arena *kept, void *user) {
+    const mt_page *page = user;
+    mt_row *row = page->report->row;
+    const mt_report_glyph *glyph = &page->report->glyphs[page->report->summary.failed + index];
     mt_glyph_pair pair;
-    mt_status status = mt_report_prepare(request, &job->fonts, glyph->code_point, scratch, &pair);
+    (void)kept;
+    mt_status status = mt_pair_prepare_char(row, glyph->code_point, scratch, &pair);
     if (status != MT_OK) return status;
-    return mt_report_strip(&pair, request->params, glyph, scratch, &job->strips[index]);
+    return mt_report_strip(&pair, &row->params, glyph, scratch, &page->strips[index]);
 }
 
-/* Failed glyphs are the worst and stand before all others. */
 static mt_status draw_strips(mt_page *page) {
     const mt_report *report = page->report;
     int count = report->summary.flagged - report->summary.failed;
-    mt_strip_job job = {.report = report, .first = report->summary.failed};
     page->strip_count = count < MT_REPORT_STRIPS ? count : MT_REPORT_STRIPS;
     if (page->strip_count == 0) return MT_OK;
-    job.strips = page->strips = mt_new((size_t)page->strip_count, sizeof *page->strips);
+    page->strips = mt_new((size_t)page->strip_count, sizeof *page->strips);
     if (!page->strips) return MT_NO_MEMORY;
-    mt_work work = {.count = page->strip_count,
-                    .task = draw_strip,
-                    .user = &job,
-                    .threads = report->request.params->threads};
-    pthread_mutex_init(&job.fonts, NULL);
-    mt_status status = mt_work_run(&work);
-    pthread_mutex_destroy(&job.fonts);
-    return status;
+    mt_work work = {
+        .count = page->strip_count, .task = draw_strip, .user = page, .threads = report->row->params.threads};
+    return mt_work_run(&work);
 }
 
 static void put_strip(mt_page *page, int index) {
@@ -119,9 +106,9 @@ static const char style[] =
 static void put_head(mt_page *page) {
     put(page, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
               "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>");
-    put_text(page, mt_font_family(page->report->request.a));
+    put_text(page, mt_font_family(page->report->row->fonts[0]));
     put(page, " – ");
-    put_text(page, mt_font_family(page->report->request.b));
+    put_text(page, mt_font_family(page->report->row->fonts[1]));
     put(page, ": which glyphs need a look</title>\n<style>");
     put(page, style);
     put(page, "</style>\n</head>\n<body>\n<h1>Which glyphs need a look</h1>\n");
@@ -141,10 +128,9 @@ static void put_summary(mt_page *page) {
     const mt_report *report = page->report;
     const mt_report_summary *sum = &report->summary;
     put(page, "<p>");
-    put_font(page, "0", report->request.a);
-    put_font(page, "1", report->request.b);
-    put_format(page, "Method: %s</p>\n",
-               report->request.params->method == MT_METHOD_JOINT ? "joint" : "paper");
+    put_font(page, "0", report->row->fonts[0]);
+    put_font(page, "1", report->row->fonts[1]);
+    put_format(page, "Method: %s</p>\n", report->row->params.method == MT_METHOD_JOINT ? "joint" : "paper");
     put_format(page,
                "<p>%d glyphs, <b>%d flagged</b>, %d of them failed. %d move by aligned contours, %d by "
                "links, %d by both. ",

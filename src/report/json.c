@@ -14,12 +14,12 @@ static void add_font(mt_json *json, const char *key, const mt_font *font) {
 }
 
 static void add_heading(mt_json *json, const mt_report *report) {
-    const mt_report_request *request = &report->request;
+    const mt_row *row = report->row;
     mt_json_text(json, "format", "morphotype report");
     mt_json_int(json, "version", 1);
-    add_font(json, "a", request->a);
-    add_font(json, "b", request->b);
-    mt_json_text(json, "method", request->params->method == MT_METHOD_JOINT ? "joint" : "paper");
+    add_font(json, "a", row->fonts[0]);
+    add_font(json, "b", row->fonts[1]);
+    mt_json_text(json, "method", row->params.method == MT_METHOD_JOINT ? "joint" : "paper");
     mt_json_one_line(json);
     mt_json_array(json, "at");
     for (int i = 0; i < MT_REPORT_STEPS; i++) mt_json_number(json, NULL, mt_report_t(i));

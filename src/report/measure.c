@@ -2,7 +2,9 @@
 #include "geometry/limits.h"
 #include "geometry/union.h"
 #include "morph/between/instance.h"
+#include "blend/contours.h"
 #include "report/report.h"
+#include "write/extent.h"
 
 #include <math.h>
 
@@ -85,9 +87,9 @@ void mt_report_count_corners(const mt_outline *outline, mt_report_drawing *drawi
 static mt_status measure_drawing(const mt_outline *outline, int units, mt_arena *arena,
                                  mt_report_drawing *drawing) {
     mt_glyf glyf;
-    mt_status status = mt_outline_glyf(outline, 0, units, arena, &glyf);
+    mt_status status = mt_outline_glyf(outline, units, arena, &glyf);
     if (status != MT_OK) return status;
-    drawing->points = glyf.contour_count ? glyf.ends[glyf.contour_count - 1] + 1 : 0;
+    drawing->points = mt_glyf_point_count(&glyf);
     mt_report_count_corners(outline, drawing);
     return MT_OK;
 }
@@ -119,7 +121,8 @@ static mt_report_method method_of(const mt_morph *morph) {
 
 mt_status mt_report_measure(const mt_glyph_pair *pair, const mt_params *params, int units, mt_arena *arena,
                             mt_report_glyph *glyph) {
-    mt_report_glyph made = {.code_point = glyph->code_point, .method = method_of(&pair->morph)};
+    mt_report_glyph made = {
+        .measured = true, .code_point = glyph->code_point, .method = method_of(&pair->morph)};
     mt_arena_place before = mt_arena_mark(arena);
     mt_status status = measure_end(&pair->a, params, units, arena, &made.ink_a, &made.drawing_a);
     if (status == MT_OK) status = measure_end(&pair->b, params, units, arena, &made.ink_b, &made.drawing_b);
@@ -130,4 +133,49 @@ mt_status mt_report_measure(const mt_glyph_pair *pair, const mt_params *params, 
     mt_arena_rewind(arena, before);
     if (status == MT_OK) *glyph = made;
     return status;
+}
+
+/* ---- a row's glyphs ------------------------------------------------------------------------------------ */
+
+static mt_status start(mt_making *making, void *user) {
+    mt_report_figures *figures = user;
+    int steps = making->step_count;
+    figures->steps = mt_new((size_t)steps, sizeof *figures->steps);
+    if (!figures->steps) return MT_NO_MEMORY;
+    figures->step_count = steps;
+    for (int i = 0; i < steps; i++) {
+        figures->steps[i] = mt_new((size_t)making->glyph_count, sizeof(mt_report_glyph));
+        if (!figures->steps[i]) return MT_NO_MEMORY;
+    }
+    return MT_OK;
+}
+
+static mt_status begin(mt_glyph_task *task, void *user, bool *wanted) {
+    (void)user;
+    *wanted = task->b != MT_NO_PARTNER && task->making->set.charset.glyphs[task->glyph].mapped;
+    return MT_OK;
+}
+
+static mt_status take(mt_glyph_task *task, mt_status prepared, void *user) {
+    const mt_report_figures *figures = user;
+    const mt_making *making = task->making;
+    mt_report_glyph *glyph = &figures->steps[task->step][task->glyph];
+    mt_status status = prepared;
+    glyph->measured = true;
+    glyph->code_point = making->set.charset.glyphs[task->glyph].code_point;
+    if (status == MT_OK)
+        status = mt_report_measure(&task->pair, &making->row->params, making->units, task->scratch, glyph);
+    if (status == MT_NO_MEMORY) return status;
+    glyph->status = status;
+    mt_report_judge(glyph);
+    return MT_OK;
+}
+
+mt_sink mt_report_sink(mt_report_figures *figures) {
+    return (mt_sink){start, begin, take, figures};
+}
+
+void mt_report_figures_free(mt_report_figures *figures) {
+    for (int i = 0; i < figures->step_count; i++) mt_free(figures->steps[i]);
+    mt_free(figures->steps);
 }

@@ -11,11 +11,9 @@
 #define MT_REPORT_REPORT_H
 
 #include "base/buffer.h"
-#include "blend/pair.h"
+#include "blend/making.h"
 #include "morph/check/topology.h"
 #include "morphotype.h"
-
-#include <pthread.h>
 
 /* Places are T = 0, 1/8 … 1; the middle one is half-way. */
 #define MT_REPORT_STEPS 9
@@ -69,6 +67,7 @@ typedef struct mt_report_drawing {
 } mt_report_drawing;
 
 typedef struct mt_report_glyph {
+    bool measured;       /* of a font's glyphs: a character leads to it, and it is between two glyphs */
     uint32_t code_point; /* the first character that it stands for */
     mt_status status;    /* other than MT_OK: all that follows but flags and severity is 0 */
     mt_report_method method;
@@ -109,17 +108,19 @@ const char *mt_report_flag_name(mt_report_flag flag);
 void mt_report_reason(const mt_report_glyph *glyph, mt_report_flag flag, char text[MT_REPORT_REASON_ROOM]);
 const char *mt_report_method_name(mt_report_method method);
 
-/* ---- two fonts ------------------------------------------------------------------------------------------- */
+/* ---- a row's glyphs -------------------------------------------------------------------------------------- */
 
-typedef struct mt_report_request {
-    mt_font *a, *b;
-    const mt_params *params;
-    const mt_hint_index *hints;  /* for both fonts; NULL: none */
-    const uint32_t *code_points; /* in any order; those that both fonts have are taken */
-    int count;                   /* 0: all that both fonts have */
-    mt_progress progress;        /* NULL is fine */
-    void *user;
-} mt_report_request;
+/* What a sink (blend/making.h) measures. */
+typedef struct mt_report_figures {
+    int step_count;
+    mt_report_glyph **steps; /* of each step, the new font's glyphs; all NULL until the glyphs are known */
+} mt_report_figures;
+
+/* Measures and judges each glyph that a character leads to. A glyph that fails is a finding, and no failure of the sink. */
+mt_sink mt_report_sink(mt_report_figures *figures);
+void mt_report_figures_free(mt_report_figures *figures); /* all zero is fine */
+
+/* ---- two fonts ------------------------------------------------------------------------------------------- */
 
 typedef struct mt_report_summary {
     int flagged, failed;
@@ -129,21 +130,16 @@ typedef struct mt_report_summary {
 } mt_report_summary;
 
 typedef struct mt_report {
-    mt_report_request request;
+    mt_row *row; /* of two fonts */
     int count;
     mt_report_glyph *glyphs; /* the worst first; those without a flag by code point; from mt_new */
     mt_report_summary summary;
 } mt_report;
 
-/* Measures each glyph; characters that lead to the same two glyphs are one. Glyphs that fail are in the
- * report. MT_NOTHING_SHARED, MT_TOO_LARGE, MT_NO_MEMORY. */
-mt_status mt_report_make(const mt_report_request *request, mt_report *report);
+/* Measures each glyph of the row's characters, or of all that both fonts have; characters that lead to the same two glyphs
+ * are one. Glyphs that fail are in the report. MT_NOTHING_SHARED, MT_TOO_LARGE, MT_NO_MEMORY. */
+mt_status mt_report_make(mt_row *row, mt_report *report);
 void mt_report_free(mt_report *report);
-
-/* Reads a character from both fonts and prepares its morph, in the arena; `fonts` is held while the fonts are
- * read. As mt_glyph_pair_prepare. */
-mt_status mt_report_prepare(const mt_report_request *request, pthread_mutex_t *fonts, uint32_t code_point,
-                            mt_arena *arena, mt_glyph_pair *pair);
 
 /* What the page has of a glyph's in-betweens: an SVG picture for each place, those that are out of the ends'
  * counts marked. As mt_morph_outline. */
@@ -160,6 +156,6 @@ typedef enum mt_report_format { MT_REPORT_HTML, MT_REPORT_JSON } mt_report_forma
 mt_status mt_report_format_of(const char *path, mt_report_format *format);
 /* Makes the report and writes it to `path`, whole or not at all. As mt_report_make; MT_UNKNOWN_FORMAT,
  * MT_CANNOT_WRITE. */
-mt_status mt_report_save(const mt_report_request *request, const char *path);
+mt_status mt_report_save(mt_row *row, const char *path);
 
 #endif

@@ -54,7 +54,7 @@ static void put_contour(mt_svg_pen *pen, const mt_contour *contour) {
 /* The box, thousandths of the em with y upwards, in which all places of a glyph are shown, ink and advance. */
 static mt_box view_of(const mt_glyph_pair *pair) {
     mt_box a = mt_shape_box(&pair->a), b = mt_shape_box(&pair->b);
-    double advance = fmax(pair->advance_a, pair->advance_b);
+    double advance = fmax(pair->room_a.advance, pair->room_b.advance);
     mt_box box = {{scaled(fmin(0, fmin(a.min.x, b.min.x))), scaled(fmin(a.min.y, b.min.y))},
                   {scaled(fmax(advance, fmax(a.max.x, b.max.x))), scaled(fmax(a.max.y, b.max.y))}};
     return (mt_box){{box.min.x - PADDING, box.min.y - PADDING}, {box.max.x + PADDING, box.max.y + PADDING}};

@@ -8,6 +8,8 @@
 
 #include "base/file.h"
 #include "base/memory.h"
+#include "blend/instances.h"
+#include "blend/variable.h"
 #include "save/designspace.h"
 #include "save/ufo.h"
 #include "save/woff2.h"
@@ -197,10 +199,11 @@ static mt_status keep_master(const mt_font_data *data, int place, void *user) {
 }
 
 static mt_status make_variable(void *variable, mt_products *products) {
-    products->list[0].map = mt_variable_map(variable);
+    const mt_variable *made = variable;
+    products->list[0].map = &made->map;
     if (products->list[0].format == MT_FONT_DESIGNSPACE)
         return mt_variable_masters(variable, keep_master, products);
-    return mt_variable_make(variable, keep, products);
+    return mt_variable_make(variable, NULL, keep, products);
 }
 
 mt_status mt_variable_save_when(mt_variable *variable, const mt_saving *saving, int *failed) {

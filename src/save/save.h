@@ -19,20 +19,6 @@ bool mt_font_format_of(const char *path, mt_font_format *format);
  * it is a UFO and a UFO is to be saved. MT_UNKNOWN_FORMAT, MT_CANNOT_WRITE (errno says why), MT_NO_MEMORY. */
 mt_status mt_save_check(const char *path);
 
-/* Called with each font once all glyphs are blended, in the order of T. */
-typedef mt_status (*mt_font_ready)(const mt_font_data *data, int index, void *user);
-
-/* blend_make.c: makes fonts at `count` places and hands them to `ready`, which may end the run with its status. */
-mt_status mt_blend_make(mt_blend *blend, const double *t, int count, mt_font_ready ready, void *user);
-
-/* variable_make.c: makes the variable font and hands it to `ready`, with index 0. */
-mt_status mt_variable_make(mt_variable *variable, mt_font_ready ready, void *user);
-/* variable.c: its map, as mt_variable_set_map has it. */
-const mt_axis_map *mt_variable_map(const mt_variable *variable);
-/* The same as masters, fonts that do not vary and whose glyphs have the same points: each with its place on the axis
- * (axis_data.h) as the index, in this order. */
-mt_status mt_variable_masters(mt_variable *variable, mt_font_ready ready, void *user);
-
 typedef struct mt_saving {
     const double *t; /* NULL for a variable font, of which there is one */
     int count;

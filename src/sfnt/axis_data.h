@@ -6,19 +6,19 @@
 
 #include "sfnt/axis_map.h"
 
-/* By how far a point moves, font units. */
-typedef struct mt_move {
+/* A point in whole font units. */
+typedef struct mt_font_point {
     int16_t x, y;
-} mt_move;
+} mt_font_point;
 
 /* Where a glyph's points are at some places; in between each moves on a straight line, as from the place 0, where it is as
  * the font stands. The points are those of its contours or, of a composite, the offsets of its references, and behind
  * them the four phantom points: left, right, top and bottom of the glyph's room in the line ('gvar'). */
-typedef struct mt_glyph_moves {
-    int place_count;       /* 0: the glyph stays as it is */
-    const int *places;     /* ascending, over 0; the last is MT_PLACE_ONE */
-    mt_move *const *moves; /* for each place, one for each point */
-} mt_glyph_moves;
+typedef struct mt_glyph_path {
+    int place_count;          /* 0: the glyph stays as it is */
+    const int *places;        /* ascending, over 0; the last is MT_PLACE_ONE */
+    mt_font_point *const *at; /* for each place, all points: at most 2^15 from where they are at 0 */
+} mt_glyph_path;
 
 enum { MT_PHANTOM_POINTS = 4 };
 
@@ -34,7 +34,7 @@ typedef struct mt_axis_data {
     double least, most;
     int named_count;
     const mt_named_place *named; /* ascending */
-    const mt_glyph_moves *moves; /* one a glyph */
+    const mt_glyph_path *paths;  /* one a glyph */
     mt_axis_map map;
 } mt_axis_data;
 

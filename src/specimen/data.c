@@ -42,14 +42,14 @@ static void add_source(mt_json *json, const mt_font *font) {
 }
 
 static void add_heading(mt_json *json, const mt_specimen *specimen) {
-    const mt_specimen_request *request = specimen->request;
+    const mt_row *row = &specimen->request->variable->row;
     mt_json_text(json, "program", "Morphotype " MORPHOTYPE_VERSION);
     mt_json_text(json, "family", specimen->font.family);
-    mt_json_text(json, "method", request->params->method == MT_METHOD_JOINT ? "joint" : "paper");
+    mt_json_text(json, "method", row->params.method == MT_METHOD_JOINT ? "joint" : "paper");
     mt_json_int(json, "bytes", (int64_t)specimen->packed_length);
-    add_text(json, "text", request->text);
+    add_text(json, "text", specimen->request->text);
     mt_json_array(json, "sources");
-    for (int i = 0; i < request->font_count; i++) add_source(json, request->fonts[i]);
+    for (int i = 0; i < row->font_count; i++) add_source(json, row->fonts[i]);
     mt_json_array_end(json);
     mt_json_one_line(json);
     mt_json_array(json, "features");
@@ -101,10 +101,10 @@ static void add_groups(mt_json *json, const mt_specimen *specimen) {
 
 /* Not all fonts have the character, so that its glyph stays as it is. */
 static bool is_still(const mt_specimen *specimen, int index, int than) {
-    const mt_specimen_request *request = specimen->request;
+    const mt_row *row = &specimen->request->variable->row;
     (void)than;
-    for (int i = 0; i < request->font_count; i++)
-        if (mt_font_glyph(request->fonts[i], specimen->font.chars[index]) == 0) return true;
+    for (int i = 0; i < row->font_count; i++)
+        if (mt_font_glyph(row->fonts[i], specimen->font.chars[index]) == 0) return true;
     return false;
 }
 
@@ -122,32 +122,34 @@ static void add_reasons(mt_json *json, int step, const mt_report_glyph *glyph) {
     }
 }
 
-static bool is_flagged(const mt_specimen *specimen, uint32_t code_point) {
-    for (int i = 0; i + 1 < specimen->request->font_count; i++)
-        if (mt_specimen_flags_find(specimen->flags[i], code_point)) return true;
+/* The figures of a character's glyph on a step. */
+static const mt_report_glyph *figures_of(const mt_specimen *specimen, int step, int index) {
+    return &specimen->figures.steps[step][specimen->font.glyphs[index]];
+}
+
+static bool is_flagged(const mt_specimen *specimen, int index) {
+    for (int i = 0; i < specimen->figures.step_count; i++)
+        if (figures_of(specimen, i, index)->flags) return true;
     return false;
 }
 
-static void add_flagged_one(mt_json *json, const mt_specimen *specimen, uint32_t code_point) {
+static void add_flagged_one(mt_json *json, const mt_specimen *specimen, int index) {
     char character[5] = "";
-    mt_utf8_put(code_point, character);
+    mt_utf8_put(specimen->font.chars[index], character);
     mt_json_one_line(json);
     mt_json_object(json, NULL);
     mt_json_text(json, "character", character);
     mt_json_array(json, "reasons");
-    for (int i = 0; i + 1 < specimen->request->font_count; i++) {
-        const mt_report_glyph *glyph = mt_specimen_flags_find(specimen->flags[i], code_point);
-        if (glyph) add_reasons(json, i, glyph);
-    }
+    for (int i = 0; i < specimen->figures.step_count; i++)
+        add_reasons(json, i, figures_of(specimen, i, index));
     mt_json_array_end(json);
     mt_json_object_end(json);
 }
 
 static void add_flagged(mt_json *json, const mt_specimen *specimen) {
-    const mt_specimen_font *font = &specimen->font;
     mt_json_array(json, "flagged");
-    for (int i = 0; i < font->char_count; i++)
-        if (is_flagged(specimen, font->chars[i])) add_flagged_one(json, specimen, font->chars[i]);
+    for (int i = 0; i < specimen->font.char_count; i++)
+        if (is_flagged(specimen, i)) add_flagged_one(json, specimen, i);
     mt_json_array_end(json);
 }
 

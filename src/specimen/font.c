@@ -19,15 +19,18 @@ static mt_status open_face(const mt_specimen_font *font, hb_face_t **face) {
 
 /* ---- characters ---------------------------------------------------------------------------------------- */
 
-static mt_status copy_chars(const hb_set_t *set, mt_arena *arena, mt_specimen_font *font) {
+static mt_status copy_chars(const hb_set_t *set, hb_font_t *shaping, mt_arena *arena,
+                            mt_specimen_font *font) {
     size_t room = hb_set_get_population(set);
     hb_unicode_funcs_t *unicode = hb_unicode_funcs_get_default();
     font->chars = mt_arena_new(arena, room + 1, sizeof *font->chars);
+    font->glyphs = mt_arena_new(arena, room + 1, sizeof *font->glyphs);
     font->scripts = mt_arena_new(arena, room + 1, sizeof *font->scripts);
-    if (!font->chars || !font->scripts) return MT_NO_MEMORY;
+    if (!font->chars || !font->glyphs || !font->scripts) return MT_NO_MEMORY;
     for (hb_codepoint_t c = HB_SET_VALUE_INVALID; hb_set_next(set, &c);) {
         if (mt_html_is_control(c)) continue;
         font->chars[font->char_count] = c;
+        hb_font_get_nominal_glyph(shaping, c, &font->glyphs[font->char_count]);
         font->scripts[font->char_count++] = hb_script_to_iso15924_tag(hb_unicode_script(unicode, c));
     }
     return MT_OK;
@@ -35,8 +38,11 @@ static mt_status copy_chars(const hb_set_t *set, mt_arena *arena, mt_specimen_fo
 
 static mt_status read_chars(hb_face_t *face, mt_arena *arena, mt_specimen_font *font) {
     hb_set_t *set = hb_set_create();
+    hb_font_t *shaping = hb_font_create(face);
     hb_face_collect_unicodes(face, set);
-    mt_status status = hb_set_allocation_successful(set) ? copy_chars(set, arena, font) : MT_NO_MEMORY;
+    bool made = hb_set_allocation_successful(set) && shaping != hb_font_get_empty();
+    mt_status status = made ? copy_chars(set, shaping, arena, font) : MT_NO_MEMORY;
+    hb_font_destroy(shaping);
     hb_set_destroy(set);
     return status;
 }

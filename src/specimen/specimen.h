@@ -1,11 +1,10 @@
 /* The specimen: one page of HTML on which the variable font of two fonts or more is tried out. The font is in it; it
  * fetches nothing.
  *
- *     specimen.c        the font made, its glyphs judged, the page put together; the file
- *     specimen_font.c   what is said of the font: its name, characters and features
- *     specimen_flags.c  what the reports flag, character by character
- *     specimen_data.c   all this as the page's script reads it
- *     specimen_page.h   the page itself, made by specimen/embed.py of page.html, style.css and script.js there
+ *     specimen.c  the font made and its glyphs judged, in one go; the page put together; the file
+ *     font.c      what is said of the font: its name, characters and features
+ *     data.c      all this as the page's script reads it
+ *     page.h      the page itself, made by page/embed.py of page.html, style.css and the scripts there
  */
 #ifndef MT_SPECIMEN_SPECIMEN_H
 #define MT_SPECIMEN_SPECIMEN_H
@@ -13,16 +12,11 @@
 #include "report/report.h"
 
 typedef struct mt_specimen_request {
-    mt_variable *variable; /* with its settings; its progress is this one's from then on */
-    mt_font *const *fonts; /* its fonts, */
-    int font_count;
-    const mt_params *params; /* and its parameters */
-    const char *text;        /* that the page begins with, UTF-8; NULL: a sample */
+    mt_variable *variable; /* with its settings */
+    const char *text;      /* that the page begins with, UTF-8; NULL: a sample */
     mt_status (*made)(
         void *user); /* called when the font is made, unless NULL; a status other than MT_OK ends the rest */
     void *user;
-    mt_progress progress; /* of everything; NULL is fine */
-    void *progress_user;
 } mt_specimen_request;
 
 /* The font as it was made, in an arena but for its bytes. */
@@ -32,6 +26,7 @@ typedef struct mt_specimen_font {
     const char *family; /* as it calls itself; "" where it does not */
     int char_count;
     uint32_t *chars;   /* ascending; without control characters */
+    uint32_t *glyphs;  /* of each */
     uint32_t *scripts; /* of each: a tag of ISO 15924 */
     int feature_count;
     uint32_t *features; /* tags of GSUB and GPOS, ascending, each once */
@@ -40,21 +35,13 @@ typedef struct mt_specimen_font {
 /* Reads a font that this program has written. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_specimen_font_read(const uint8_t *bytes, size_t length, mt_arena *arena, mt_specimen_font *font);
 
-/* What one report flags, to be asked character by character. */
-typedef struct mt_specimen_flags mt_specimen_flags;
-
-/* In the arena; keeps the report. MT_NO_MEMORY. */
-mt_status mt_specimen_flags_make(const mt_report *report, mt_arena *arena, const mt_specimen_flags **flags);
-/* The flagged glyph that the character leads to; NULL where it leads to none. */
-const mt_report_glyph *mt_specimen_flags_find(const mt_specimen_flags *flags, uint32_t code_point);
-
 /* What a page is put together from. */
 typedef struct mt_specimen {
     const mt_specimen_request *request;
     mt_specimen_font font;
     const uint8_t *packed; /* the font as WOFF2 */
     size_t packed_length;
-    const mt_specimen_flags **flags; /* of each two neighbours: font_count - 1 of them */
+    mt_report_figures figures; /* of the font's glyphs */
 } mt_specimen;
 
 /* What the page's script reads, in a buffer of the caller's: JSON in which no markup can be. docs/architecture.md has its
@@ -65,8 +52,7 @@ mt_status mt_specimen_html(const mt_specimen *specimen, mt_buffer *text);
 
 /* Whether the extension is that of a page, in either case. */
 bool mt_specimen_is_page(const char *path);
-/* Makes the font and the page, and writes it to `path`, whole or not at all. What mt_variable_make, mt_report_make and
- * mt_file_write give. */
+/* Makes the font and the page, and writes it to `path`, whole or not at all. What mt_variable_make and mt_file_write give. */
 mt_status mt_specimen_save(const mt_specimen_request *request, const char *path);
 
 #endif

@@ -6,7 +6,7 @@
 
 enum { UNKNOWN = -1 }; /* a depth */
 
-static const mt_bounds nothing = {INT_MAX, INT_MAX, INT_MIN, INT_MIN};
+const mt_bounds mt_no_bounds = {INT_MAX, INT_MAX, INT_MIN, INT_MIN};
 
 static int min(int a, int b) {
     return a < b ? a : b;
@@ -20,9 +20,14 @@ int mt_glyf_point_count(const mt_glyf *glyph) {
     return glyph->contour_count ? glyph->ends[glyph->contour_count - 1] + 1 : 0;
 }
 
-static mt_bounds joined(mt_bounds a, mt_bounds b) {
+mt_bounds mt_bounds_join(mt_bounds a, mt_bounds b) {
     return (mt_bounds){min(a.x_min, b.x_min), min(a.y_min, b.y_min), max(a.x_max, b.x_max),
                        max(a.y_max, b.y_max)};
+}
+
+mt_bounds mt_bounds_move(mt_bounds b, int dx, int dy) {
+    if (mt_bounds_empty(b)) return b;
+    return (mt_bounds){b.x_min + dx, b.y_min + dy, b.x_max + dx, b.y_max + dy};
 }
 
 /* ---- one glyph ----------------------------------------------------------------------------------------- */
@@ -32,19 +37,17 @@ static void add_points(const mt_glyf *glyph, mt_extent *extent) {
     extent->contours = glyph->contour_count;
     for (int i = 0; i < extent->points; i++) {
         int x = glyph->points[i].x, y = glyph->points[i].y;
-        extent->bounds = joined(extent->bounds, (mt_bounds){x, y, x, y});
+        extent->bounds = mt_bounds_join(extent->bounds, (mt_bounds){x, y, x, y});
     }
 }
 
 static void add_reference(const mt_glyf_reference *reference, const mt_extent *part, mt_extent *extent) {
-    mt_bounds b = part->bounds;
-    int dx = reference->dx, dy = reference->dy;
     extent->depth = max(extent->depth, part->depth + 1);
     if (part->points == 0) return;
     extent->points += part->points;
     extent->contours += part->contours;
     extent->bounds =
-        joined(extent->bounds, (mt_bounds){b.x_min + dx, b.y_min + dy, b.x_max + dx, b.y_max + dy});
+        mt_bounds_join(extent->bounds, mt_bounds_move(part->bounds, reference->dx, reference->dy));
 }
 
 static bool fits(const mt_extent *extent) {
@@ -54,7 +57,7 @@ static bool fits(const mt_extent *extent) {
 }
 
 mt_status mt_glyf_extent(const mt_glyf *glyph, const mt_extent *extents, mt_extent *extent) {
-    mt_extent made = {.bounds = nothing};
+    mt_extent made = {.bounds = mt_no_bounds};
     add_points(glyph, &made);
     for (int i = 0; i < glyph->reference_count; i++) {
         add_reference(&glyph->references[i], &extents[glyph->references[i].glyph], &made);

@@ -18,6 +18,14 @@ typedef struct mt_extent {
     int depth; /* 0: the glyph has contours of its own, or is blank */
 } mt_extent;
 
+/* A box of nothing: its sides lie the other way round. */
+extern const mt_bounds mt_no_bounds;
+mt_bounds mt_bounds_join(mt_bounds a, mt_bounds b);
+mt_bounds mt_bounds_move(mt_bounds bounds, int dx, int dy);
+static inline bool mt_bounds_empty(mt_bounds bounds) {
+    return bounds.x_min > bounds.x_max;
+}
+
 int mt_glyf_point_count(const mt_glyf *glyph); /* of its own */
 
 /* Of one glyph, from those of the glyphs that it refers to, which must be known. MT_TOO_LARGE for what 'glyf' and 'maxp'

@@ -99,6 +99,33 @@ static mt_status make_tuple(mt_gvar_writer *writer, const mt_glyf *glyph, const 
     return status;
 }
 
+/* A point's own place: where the font has it (mt_glyph_path). */
+static void own_point(const mt_glyf *glyph, int i, int *x, int *y) {
+    int contour_points = mt_glyf_point_count(glyph), phantom = i - point_count(glyph) + MT_PHANTOM_POINTS;
+    *x = *y = 0;
+    if (phantom == 1) *x = glyph->advance;
+    if (phantom == 2) *y = glyph->origin;
+    if (phantom == 3) *y = glyph->origin - glyph->height;
+    if (phantom >= 0) return;
+    *x = i < contour_points ? glyph->points[i].x : glyph->references[i].dx;
+    *y = i < contour_points ? glyph->points[i].y : glyph->references[i].dy;
+}
+
+/* By how far the points are from their own places. */
+static mt_status subtract_own(mt_gvar_writer *writer, const mt_glyf *glyph, const mt_font_point *at,
+                              mt_move **moves) {
+    int count = point_count(glyph);
+    *moves = mt_arena_new(&writer->scratch, (size_t)count, sizeof **moves);
+    if (!*moves) return MT_NO_MEMORY;
+    for (int i = 0; i < count; i++) {
+        int x, y;
+        own_point(glyph, i, &x, &y);
+        (*moves)[i] = (mt_move){(int16_t)(at[i].x - x), (int16_t)(at[i].y - y)};
+        if ((*moves)[i].x != at[i].x - x || (*moves)[i].y != at[i].y - y) return MT_TOO_LARGE;
+    }
+    return MT_OK;
+}
+
 static bool moves_at_all(const mt_move *moves, int count) {
     for (int i = 0; i < count; i++)
         if (moves[i].x != 0 || moves[i].y != 0) return true;
@@ -112,22 +139,24 @@ typedef struct mt_tuples {
     mt_tuple *list;
 } mt_tuples;
 
-static mt_status make_tuples(mt_gvar_writer *writer, const mt_glyf *glyph, const mt_glyph_moves *moves,
+static mt_status make_tuples(mt_gvar_writer *writer, const mt_glyf *glyph, const mt_glyph_path *path,
                              mt_tuples *tuples) {
-    int count = point_count(glyph);
-    if (moves->place_count > TUPLES_MAX) return MT_TOO_LARGE;
-    tuples->list = mt_arena_new(&writer->scratch, (size_t)moves->place_count, sizeof *tuples->list);
+    if (path->place_count > TUPLES_MAX) return MT_TOO_LARGE;
+    tuples->list = mt_arena_new(&writer->scratch, (size_t)path->place_count, sizeof *tuples->list);
     if (!tuples->list) return MT_NO_MEMORY;
-    mt_status status = MT_OK;
-    for (int i = 0; i < moves->place_count && status == MT_OK; i++) {
-        if (!moves_at_all(moves->moves[i], count)) continue;
+    for (int i = 0; i < path->place_count; i++) {
+        mt_move *moves;
+        mt_status status = subtract_own(writer, glyph, path->at[i], &moves);
+        if (status != MT_OK) return status;
+        if (!moves_at_all(moves, point_count(glyph))) continue;
         mt_tuple *tuple = &tuples->list[tuples->count++];
-        tuple->place = moves->places[i];
-        tuple->before = i ? moves->places[i - 1] : 0;
-        tuple->after = i + 1 < moves->place_count ? moves->places[i + 1] : tuple->place;
-        status = make_tuple(writer, glyph, moves->moves[i], tuple);
+        tuple->place = path->places[i];
+        tuple->before = i ? path->places[i - 1] : 0;
+        tuple->after = i + 1 < path->place_count ? path->places[i + 1] : tuple->place;
+        status = make_tuple(writer, glyph, moves, tuple);
+        if (status != MT_OK) return status;
     }
-    return status;
+    return MT_OK;
 }
 
 static bool equal_points(const mt_tuple *a, const mt_tuple *b) {
@@ -195,7 +224,7 @@ static mt_status write_tuples(mt_gvar_writer *writer, const mt_tuples *tuples) {
 static mt_status write_glyph(mt_gvar_writer *writer, int glyph) {
     mt_tuples tuples = {0};
     mt_status status =
-        make_tuples(writer, &writer->data->glyphs[glyph], &writer->data->variation->moves[glyph], &tuples);
+        make_tuples(writer, &writer->data->glyphs[glyph], &writer->data->variation->paths[glyph], &tuples);
     if (status == MT_OK && tuples.count > 0) status = write_tuples(writer, &tuples);
     for (int i = 0; i < tuples.count; i++) free_tuple(&tuples.list[i]);
     mt_table_zeros(&writer->glyphs, (int)(writer->glyphs.length % 2));
@@ -209,8 +238,8 @@ static mt_status write_glyph(mt_gvar_writer *writer, int glyph) {
 static void share_places(mt_gvar_writer *writer) {
     int *uses = writer->index_of; /* counted here first */
     for (int i = 0; i < writer->data->glyph_count; i++) {
-        const mt_glyph_moves *moves = &writer->data->variation->moves[i];
-        for (int k = 0; k < moves->place_count; k++) uses[moves->places[k]]++;
+        const mt_glyph_path *path = &writer->data->variation->paths[i];
+        for (int k = 0; k < path->place_count; k++) uses[path->places[k]]++;
     }
     for (int place = 0; place <= MT_PLACE_ONE; place++) {
         bool shared = uses[place] > 1 && writer->shared_count < SHARED_TUPLES_MAX;

@@ -6,6 +6,11 @@
 #include "base/memory.h"
 #include "write/font_data.h"
 
+/* By how far a point moves, font units. */
+typedef struct mt_move {
+    int16_t x, y;
+} mt_move;
+
 /* Sets told[i] for as few points of the glyph's contours as it finds to suffice: every other point's inferred move is within
  * `tolerance` font units of its own, in x and in y. Those of a contour without any stay where they are. There is one `told`
  * and one move for each point. MT_NO_MEMORY. */

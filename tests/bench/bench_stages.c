@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "bench/clock.h"
-#include "blend/pair.h"
+#include "blend/contours.h"
 #include "geometry/decompose.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
@@ -83,7 +83,7 @@ static mt_status make(mt_font *a, mt_font *b, uint32_t code_point, const mt_para
     lap(t, BLEND, &from);
     if (status == MT_OK) status = mt_shape_outline(&blend, params, &arena, &outline);
     lap(t, FIT, &from);
-    if (status == MT_OK) status = mt_outline_glyf(&outline, MT_EM, 1000, &kept, glyph);
+    if (status == MT_OK) status = mt_outline_glyf(&outline, 1000, &kept, glyph);
     lap(t, WRITE, &from);
     return status;
 }

@@ -15,7 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "blend/pair.h"
+#include "blend/contours.h"
 #include "geometry/limits.h"
 #include "morph/between/instance.h"
 #include "morph/fit/contour_pair.h"
@@ -185,7 +185,7 @@ static int points_of(const mt_outline *outline, int units, mt_arena *arena) {
     mt_glyf glyf;
     int points;
     if (has_cubics(outline, &points)) return points;
-    mt_status status = mt_outline_glyf(outline, 0, units, arena, &glyf);
+    mt_status status = mt_outline_glyf(outline, units, arena, &glyf);
     if (status != MT_OK) stop(status, "counting points");
     return glyf.contour_count ? glyf.ends[glyf.contour_count - 1] + 1 : 0;
 }
@@ -205,7 +205,11 @@ static void look_at_glyph(mt_font *a, mt_font *b, uint32_t code_point, mt_arena 
     if (!mt_font_glyph(a, code_point) || !mt_font_glyph(b, code_point)) return;
     int most = (int)fmax(points_in(a, code_point, arena), points_in(b, code_point, arena));
     if (most == 0) return;
-    mt_status status = mt_glyph_pair_prepare(a, b, code_point, NULL, &params, arena, &pair);
+    mt_row row;
+    mt_status status = mt_row_open((mt_font *[]){a, b}, 2, &params, &row);
+    if (status != MT_OK) stop(status, "opening");
+    status = mt_pair_prepare_char(&row, code_point, arena, &pair);
+    mt_row_close(&row);
     if (status == MT_OK) status = mt_morph_outline(&pair.morph, mt_weights_at(0.5), &params, arena, &half);
     if (status != MT_OK) stop(status, "joining");
     sum->ratios[sum->glyphs++] = (double)points_of(&half, mt_font_units(a), arena) / most;

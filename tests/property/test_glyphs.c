@@ -57,7 +57,10 @@ static mt_params paper(void) {
 static void prepare(mt_font *a, mt_font *b, uint32_t code_point, mt_glyph_pair *pair,
                     const mt_subject *subject) {
     mt_params params = paper();
-    mt_require(mt_glyph_pair_prepare(a, b, code_point, NULL, &params, &arena, pair) == MT_OK, subject);
+    mt_row row;
+    mt_require(mt_row_open((mt_font *[]){a, b}, 2, &params, &row) == MT_OK, subject);
+    mt_require(mt_pair_prepare_char(&row, code_point, &arena, pair) == MT_OK, subject);
+    mt_row_close(&row);
 }
 
 static mt_shape blend_of(const mt_morph *morph, mt_weights weights, const mt_subject *subject) {

@@ -25,10 +25,16 @@ mt_test_end mt_test_open_end(const char *path, const char *spec, float weight) {
     return end;
 }
 
+mt_status mt_test_positions(mt_font *const *fonts, const mt_charset *charsets, int count, int units,
+                            mt_arena *arena, mt_positions **positions) {
+    mt_font_glyphs glyphs;
+    mt_status status = mt_font_glyphs_make(charsets, count, arena, &glyphs);
+    return status == MT_OK ? mt_positions_prepare(fonts, &glyphs, units, arena, positions) : status;
+}
+
 void mt_test_blend_prepare(mt_test_blend *blend) {
     mt_font *fonts[] = {blend->ends[0].font, blend->ends[1].font};
-    mt_assert_ok(
-        mt_positions_prepare(fonts, &blend->charset, 2, blend->units, blend->arena, &blend->positions));
+    mt_assert_ok(mt_test_positions(fonts, &blend->charset, 2, blend->units, blend->arena, &blend->positions));
 }
 
 mt_test_blend mt_test_blend_of(mt_test_end a, mt_test_end b, mt_arena *arena) {

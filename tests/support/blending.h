@@ -24,6 +24,10 @@ typedef struct mt_test_blend {
     mt_positions *positions;
 } mt_test_blend;
 
+/* The positions of `count` fonts; charsets[k] pairs the first with font k + 1. As mt_positions_prepare. */
+mt_status mt_test_positions(mt_font *const *fonts, const mt_charset *charsets, int count, int units,
+                            mt_arena *arena, mt_positions **positions);
+
 /* Of all characters that both fonts have. */
 mt_test_blend mt_test_blend_of(mt_test_end a, mt_test_end b, mt_arena *arena);
 /* Its positions anew, when the charset was changed. */

@@ -1,6 +1,7 @@
 /* The anchors of blends, shaped by HarfBuzz and compared with what it makes of the sources. */
 #include "blend/metadata.h"
 #include "gpos/positions.h"
+#include "support/blending.h"
 #include "support/check.h"
 #include "support/fonts.h"
 #include "support/gpos.h"
@@ -61,7 +62,7 @@ static mt_pair prepare(mt_end a, mt_end b) {
     pair.b.scale = (double)pair.units / mt_font_units(b.font);
     mt_assert_ok(mt_charset_make(a.font, b.font, &(mt_charset_request){0}, &arena, &pair.charset));
     mt_font *fonts[] = {a.font, b.font};
-    mt_assert_ok(mt_positions_prepare(fonts, &pair.charset, 2, pair.units, &arena, &pair.positions));
+    mt_assert_ok(mt_test_positions(fonts, &pair.charset, 2, pair.units, &arena, &pair.positions));
     return pair;
 }
 

@@ -45,8 +45,7 @@ static mt_status make_positions(mt_font *a, mt_font *b, mt_arena *made) {
     mt_bytes gpos, gdef, none = {0};
     mt_kerning kerning;
     mt_status status = mt_charset_make(a, b, &(mt_charset_request){0}, made, &charset);
-    if (status == MT_OK)
-        status = mt_positions_prepare((mt_font *[]){a, b}, &charset, 2, 1000, made, &positions);
+    if (status == MT_OK) status = mt_test_positions((mt_font *[]){a, b}, &charset, 2, 1000, made, &positions);
     if (status == MT_OK) status = mt_positions_write(positions, 0.5, made, &gpos);
     if (status == MT_OK) assert_true(gpos.length > 0);
     if (status == MT_OK) status = mt_positions_write_varying(positions, none, made, &gpos, &gdef);

@@ -60,7 +60,7 @@ static void blend_with(uint32_t tag, mt_bytes table, mt_font *other) {
         mt_kerning kerning;
         mt_font *a = k ? other : font, *b = k ? font : other;
         mt_assert_ok(mt_charset_make(a, b, &(mt_charset_request){0}, &scratch, &charset));
-        mt_assert_ok(mt_positions_prepare((mt_font *[]){a, b}, &charset, 2, 1000, &scratch, &positions));
+        mt_assert_ok(mt_test_positions((mt_font *[]){a, b}, &charset, 2, 1000, &scratch, &positions));
         mt_status status = mt_positions_write(positions, 0.5, &scratch, &gpos);
         assert_true(status == MT_OK || status == MT_TOO_LARGE);
         status = mt_positions_write_varying(positions, none, &scratch, &gpos, &gdef);

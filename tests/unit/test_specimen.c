@@ -88,8 +88,7 @@ static mt_status save(mt_font *const *fonts, const mt_params *params, const char
     mt_variable *variable;
     mt_status status = mt_variable_new(fonts, 2, params, &variable);
     if (status != MT_OK) return status;
-    const mt_specimen_request request = {
-        .variable = variable, .fonts = fonts, .font_count = 2, .params = params, .text = "g"};
+    const mt_specimen_request request = {.variable = variable, .text = "g"};
     status = mt_variable_set_chars(variable, letters, 1);
     if (status == MT_OK) status = mt_specimen_save(&request, path);
     mt_variable_free(variable);

@@ -40,50 +40,65 @@ static mt_glyf large_glyph(mt_random *random, int count) {
     return glyph;
 }
 
-/* Moves of all sizes, and runs of points that stay. */
-static mt_move random_move(mt_random *random) {
+/* Moves of all sizes. */
+static int16_t random_move(mt_random *random) {
     int range = mt_random_one_in(random, 3) ? 0 : mt_random_one_in(random, 2) ? 100 : 3000;
-    return (mt_move){(int16_t)mt_random_between(random, -range, range),
-                     (int16_t)mt_random_between(random, -range, range)};
+    return (int16_t)mt_random_between(random, -range, range);
 }
 
-static mt_glyph_moves random_moves(mt_random *random, const mt_glyf *glyph) {
-    int points = mt_glyf_point_count(glyph) + glyph->reference_count + MT_PHANTOM_POINTS;
+static int point_count(const mt_glyf *glyph) {
+    return mt_glyf_point_count(glyph) + glyph->reference_count + MT_PHANTOM_POINTS;
+}
+
+/* Where the points are as the font has them; the phantom points of a glyph without height. */
+static mt_font_point *own_points(const mt_glyf *glyph) {
+    int count = point_count(glyph);
+    mt_font_point *own = room((size_t)count, sizeof *own);
+    for (int i = 0; i < mt_glyf_point_count(glyph); i++)
+        own[i] = (mt_font_point){glyph->points[i].x, glyph->points[i].y};
+    own[count - 3].x = (int16_t)glyph->advance;
+    return own;
+}
+
+/* Some points move, and at some places none. */
+static mt_glyph_path random_path(mt_random *random, const mt_glyf *glyph) {
+    int points = mt_glyf_point_count(glyph);
     int count = mt_random_between(random, 1, PLACES_MAX), *places = room((size_t)count, sizeof(int));
-    mt_move **moves = room((size_t)count, sizeof *moves);
+    mt_font_point **at = room((size_t)count, sizeof *at);
     for (int i = 0; i < count; i++) {
         places[i] = MT_PLACE_ONE * (i + 1) / count;
         if (i + 1 < count && mt_random_one_in(random, 2)) places[i]++; /* no other glyph has it */
-        moves[i] = room((size_t)points, sizeof(mt_move));
+        at[i] = own_points(glyph);
         bool still = mt_random_one_in(random, 5);
-        for (int k = 0; k < points - MT_PHANTOM_POINTS && !still; k++) moves[i][k] = random_move(random);
+        for (int k = 0; k < points && !still; k++) {
+            at[i][k].x = (int16_t)(at[i][k].x + random_move(random));
+            at[i][k].y = (int16_t)(at[i][k].y + random_move(random));
+        }
     }
-    return (mt_glyph_moves){count, places, moves};
+    return (mt_glyph_path){count, places, at};
 }
 
 /* Where a point is at a place: `share` of the way from the place before to the next one. */
-static void check_points(FT_Face face, const mt_glyf *glyph, const mt_glyph_moves *moves, int i,
-                         double share) {
-    static const mt_move still = {0, 0};
+static void check_points(FT_Face face, const mt_glyf *glyph, const mt_glyph_path *path, int i, double share) {
     for (int k = 0; k < mt_glyf_point_count(glyph); k++) {
-        mt_move before = i ? moves->moves[i - 1][k] : still, after = moves->moves[i][k];
-        double x = glyph->points[k].x + before.x + share * (after.x - before.x);
-        double y = glyph->points[k].y + before.y + share * (after.y - before.y);
+        mt_font_point own = {glyph->points[k].x, glyph->points[k].y};
+        mt_font_point before = i ? path->at[i - 1][k] : own, after = path->at[i][k];
+        double x = before.x + share * (after.x - before.x), y = before.y + share * (after.y - before.y);
         assert_true(fabs((double)face->glyph->outline.points[k].x - x) <= 0.75);
         assert_true(fabs((double)face->glyph->outline.points[k].y - y) <= 0.75);
     }
 }
 
 static void check_glyph(FT_Face face, int glyph, const mt_font_data *data) {
-    const mt_glyph_moves *moves = &data->variation->moves[glyph];
-    for (int i = 0; i < moves->place_count; i++)
+    const mt_glyph_path *path = &data->variation->paths[glyph];
+    for (int i = 0; i < path->place_count; i++)
         for (int half = 0; half < 2; half++) {
-            int from = i ? moves->places[i - 1] : 0;
-            double share = half ? 0.5 : 1, place = from + share * (moves->places[i] - from);
+            int from = i ? path->places[i - 1] : 0;
+            double share = half ? 0.5 : 1, place = from + share * (path->places[i] - from);
             FT_Fixed value = lround(place * MT_AXIS_END * 65536 / MT_PLACE_ONE);
             assert_int_equal(FT_Set_Var_Design_Coordinates(face, 1, &value), 0);
             assert_int_equal(FT_Load_Glyph(face, (FT_UInt)glyph, FT_LOAD_NO_SCALE), 0);
-            check_points(face, &data->glyphs[glyph], moves, i, share);
+            check_points(face, &data->glyphs[glyph], path, i, share);
         }
 }
 
@@ -106,10 +121,10 @@ static void points_are_where_they_were_told_to_be(void **state) {
     for (int n = 0; n < mt_test_cases(40); n++) {
         mt_random random = mt_random_case(n);
         mt_font_data data = mt_sample_font(&arena);
-        mt_glyph_moves *moves = room((size_t)data.glyph_count, sizeof *moves);
+        mt_glyph_path *paths = room((size_t)data.glyph_count, sizeof *paths);
         data.glyphs[1] = large_glyph(&random, mt_random_between(&random, 3, 700));
-        for (int i = 0; i < data.glyph_count; i++) moves[i] = random_moves(&random, &data.glyphs[i]);
-        mt_axis_data variation = {MT_AXIS_TAG, MT_AXIS_NAME, 0, MT_AXIS_END, 2, named, moves, {0}};
+        for (int i = 0; i < data.glyph_count; i++) paths[i] = random_path(&random, &data.glyphs[i]);
+        mt_axis_data variation = {MT_AXIS_TAG, MT_AXIS_NAME, 0, MT_AXIS_END, 2, named, paths, {0}};
         data.variation = &variation;
         check_font(&data);
         mt_arena_reset(&arena);
@@ -129,12 +144,16 @@ static void points_far_apart_are_told(void **state) {
     glyph->contour_count = CONTOURS;
     glyph->ends = room(CONTOURS, sizeof(int));
     for (int i = 0; i < CONTOURS; i++) glyph->ends[i] = 3 * i + 2;
-    mt_glyph_moves *moves = room((size_t)data.glyph_count, sizeof *moves);
-    mt_move *row = room(POINTS + MT_PHANTOM_POINTS, sizeof *row);
-    for (int i = 0; i < 3; i++) row[i] = row[POINTS - 1 - i] = (mt_move){(int16_t)(100 * i + 50), -20};
-    mt_move *rows[] = {row};
-    moves[1] = (mt_glyph_moves){1, end, rows};
-    mt_axis_data variation = {MT_AXIS_TAG, MT_AXIS_NAME, 0, MT_AXIS_END, 2, named, moves, {0}};
+    mt_glyph_path *paths = room((size_t)data.glyph_count, sizeof *paths);
+    mt_font_point *at[] = {own_points(glyph)};
+    for (int i = 0; i < POINTS; i++) {
+        int from_end = i < 3 ? i : POINTS - 1 - i;
+        if (from_end > 2) continue;
+        at[0][i].x = (int16_t)(at[0][i].x + 100 * from_end + 50);
+        at[0][i].y = (int16_t)(at[0][i].y - 20);
+    }
+    paths[1] = (mt_glyph_path){1, end, at};
+    mt_axis_data variation = {MT_AXIS_TAG, MT_AXIS_NAME, 0, MT_AXIS_END, 2, named, paths, {0}};
     data.variation = &variation;
     check_font(&data);
 }

@@ -9,6 +9,7 @@
 #include "layout/gdef.h"
 #include "sfnt/sfnt.h"
 #include "support/allocation.h"
+#include "support/blending.h"
 #include "support/check.h"
 #include "support/fonts.h"
 #include "support/gpos.h"
@@ -85,7 +86,7 @@ static mt_axis axis_of(const char *const *specs, int count) {
     mt_charset_request all = {0};
     mt_assert_ok(mt_charset_make(axis.fonts[0], axis.fonts[1], &all, &arena, &axis.charsets[0]));
     for (int k = 2; k < count; k++) axis.charsets[k - 1] = charset_with(&axis.charsets[0], axis.fonts[k]);
-    mt_assert_ok(mt_positions_prepare(axis.fonts, axis.charsets, count, axis.units, &arena, &axis.positions));
+    mt_assert_ok(mt_test_positions(axis.fonts, axis.charsets, count, axis.units, &arena, &axis.positions));
     axis.gdef = classes_of(&axis, path);
     return axis;
 }
@@ -115,7 +116,7 @@ static hb_font_t *static_font(const mt_axis *axis, double t, size_t *size) {
     mt_bytes gpos;
     mt_positions *positions = axis->positions;
     if (t < 1)
-        mt_assert_ok(mt_positions_prepare(axis->fonts, axis->charsets, 2, axis->units, &arena, &positions));
+        mt_assert_ok(mt_test_positions(axis->fonts, axis->charsets, 2, axis->units, &arena, &positions));
     mt_assert_ok(mt_positions_write(positions, t, &arena, &gpos));
     *size = gpos.length;
     return font_of(axis, gpos, axis->gdef, (mt_test_varying){0});
@@ -238,7 +239,7 @@ static void each_stop_is_as_with_the_first_alone(void **state) {
         mt_font *fonts[] = {three.fonts[0], three.fonts[k]};
         two.count = 2;
         mt_assert_ok(
-            mt_positions_prepare(fonts, &three.charsets[k - 1], 2, three.units, &arena, &two.positions));
+            mt_test_positions(fonts, &three.charsets[k - 1], 2, three.units, &arena, &two.positions));
         hb_font_t *one = static_font(&three, k, &size), *other = static_font(&two, 1, &size);
         compare_texts(one, other, &tally);
         print_message("font %d: %d texts kerned, %d lifted; %g off\n", k, tally.kerned, tally.lifted,

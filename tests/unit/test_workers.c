@@ -8,8 +8,9 @@ enum { COUNT = 1000, BAD = 500 };
 static atomic_int times[COUNT];
 static int last_done;
 
-static mt_status count_up(int index, mt_arena *scratch, void *user) {
+static mt_status count_up(int index, mt_arena *scratch, mt_arena *kept, void *user) {
     int *bad = user;
+    (void)kept;
     if (!mt_arena_new(scratch, 64, 1)) return MT_NO_MEMORY;
     atomic_fetch_add(&times[index], 1);
     return index == *bad ? MT_BAD_GEOMETRY : MT_OK;
@@ -47,6 +48,26 @@ static void a_failure_ends_it(void **state) {
     assert_int_equal(run(3, BAD), MT_BAD_GEOMETRY);
 }
 
+/* A task; leaves its number behind. */
+static mt_status leave_number(int index, mt_arena *scratch, mt_arena *kept, void *user) {
+    int **numbers = user;
+    (void)scratch;
+    numbers[index] = mt_arena_new(kept, 1, sizeof(int));
+    if (!numbers[index]) return MT_NO_MEMORY;
+    *numbers[index] = index;
+    return MT_OK;
+}
+
+static void what_is_kept_outlives_the_work(void **state) {
+    (void)state;
+    static int *numbers[COUNT];
+    mt_thread_arenas kept = {0};
+    mt_work work = {.count = COUNT, .task = leave_number, .user = numbers, .kept = &kept, .threads = 3};
+    mt_assert_ok(mt_work_run(&work));
+    for (int i = 0; i < COUNT; i++) assert_int_equal(*numbers[i], i);
+    mt_thread_arenas_release(&kept);
+}
+
 static void nothing_to_do(void **state) {
     (void)state;
     mt_work work = {.task = count_up};
@@ -57,6 +78,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_number_is_done_once),
         cmocka_unit_test(a_failure_ends_it),
+        cmocka_unit_test(what_is_kept_outlives_the_work),
         cmocka_unit_test(nothing_to_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

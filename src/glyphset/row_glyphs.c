@@ -1,4 +1,4 @@
-#include "glyphset/charset_row.h"
+#include "glyphset/row_glyphs.h"
 
 #include <stdlib.h>
 
@@ -241,10 +241,17 @@ static mt_status list_variants(mt_rower *rower) {
     return MT_OK;
 }
 
-/* ---- the charsets ---------------------------------------------------------------------------------------- */
+/* ---- the whole ------------------------------------------------------------------------------------------- */
 
-/* What the glyphs are between two of the fonts. */
-static mt_status make_charset(const mt_rower *rower, int a, int b, mt_charset *charset) {
+static mt_status take_font(const mt_rower *rower, int font, mt_row_glyphs *glyphs) {
+    uint32_t *of = mt_arena_new(rower->arena, (size_t)rower->glyph_count, sizeof *of);
+    if (!of) return MT_NO_MEMORY;
+    for (int i = 0; i < rower->glyph_count; i++) of[i] = rower->glyphs[i]->of[font];
+    glyphs->fonts.of[font] = of;
+    return MT_OK;
+}
+
+static mt_status take_charset(const mt_rower *rower, mt_charset *charset) {
     *charset = (mt_charset){.glyph_count = rower->glyph_count,
                             .primary_count = rower->glyph_count - rower->further_count,
                             .char_count = rower->char_count,
@@ -255,45 +262,37 @@ static mt_status make_charset(const mt_rower *rower, int a, int b, mt_charset *c
     if (!charset->glyphs) return MT_NO_MEMORY;
     for (int i = 0; i < rower->glyph_count; i++) {
         const mt_glyph_tuple *tuple = rower->glyphs[i];
-        bool alone = tuple->of[1] == MT_NO_PARTNER;
-        charset->unblended_count += alone;
-        charset->glyphs[i] =
-            (mt_pairing){tuple->code_point, tuple->of[alone ? 0 : a], tuple->of[b], tuple->mapped};
+        charset->unblended_count += tuple->of[1] == MT_NO_PARTNER;
+        charset->glyphs[i] = (mt_pairing){tuple->code_point, tuple->of[0], tuple->of[1], tuple->mapped};
     }
     return MT_OK;
 }
 
-static mt_status make_row(const mt_rower *rower, mt_charset_row *row) {
-    mt_status status = MT_OK;
-    for (int i = 0; i + 1 < rower->count && status == MT_OK; i++) {
-        status = make_charset(rower, i, i + 1, &row->steps[i]);
-        if (status == MT_OK) status = make_charset(rower, 0, i + 1, &row->spokes[i]);
-    }
-    return status;
-}
-
-static mt_status put_together(mt_rower *rower, mt_charset_row *row) {
+static mt_status put_together(mt_rower *rower, mt_row_glyphs *glyphs) {
     mt_status status = list_primaries(rower);
     if (status == MT_OK) status = list_chars(rower);
     if (status == MT_OK) status = number_glyphs(rower);
     if (status == MT_OK) status = map_chars(rower);
     if (status == MT_OK) status = list_variants(rower);
-    return status == MT_OK ? make_row(rower, row) : status;
+    if (status == MT_OK) status = take_charset(rower, &glyphs->charset);
+    glyphs->fonts = (mt_font_glyphs){.font_count = rower->count, .glyph_count = rower->glyph_count};
+    for (int k = 0; k < rower->count && status == MT_OK; k++) status = take_font(rower, k, glyphs);
+    return status;
 }
 
-mt_status mt_charset_row_make(mt_font *const *fonts, int count, const mt_charset_request *request,
-                              mt_arena *arena, mt_charset_row *row) {
-    size_t pairs = (size_t)count - 1;
-    mt_charset_row made = {mt_arena_new(arena, pairs, sizeof(mt_charset)),
-                           mt_arena_new(arena, pairs, sizeof(mt_charset))};
+mt_status mt_row_glyphs_make(mt_font *const *fonts, int count, const mt_charset_request *request,
+                             mt_arena *arena, mt_row_glyphs *glyphs) {
+    mt_row_glyphs made;
     mt_rower rower = {.count = count, .arena = arena, .room = mt_font_glyph_count(fonts[0])};
-    rower.pairs = mt_arena_new(arena, pairs, sizeof(mt_charset));
-    if (!made.steps || !made.spokes || !rower.pairs) return MT_NO_MEMORY;
+    rower.pairs = mt_arena_new(arena, (size_t)count - 1, sizeof(mt_charset));
+    if (!rower.pairs) return MT_NO_MEMORY;
     mt_status status = MT_OK;
     for (int i = 0; i + 1 < count && status == MT_OK; i++)
         status = mt_charset_make(fonts[0], fonts[i + 1], request, arena, &rower.pairs[i]);
-    if (status == MT_OK && count == 2) made.steps[0] = made.spokes[0] = rower.pairs[0];
-    if (status == MT_OK && count > 2) status = put_together(&rower, &made);
-    if (status == MT_OK) *row = made;
+    if (status != MT_OK) return status;
+    made.charset = rower.pairs[0];
+    status =
+        count > 2 ? put_together(&rower, &made) : mt_font_glyphs_make(rower.pairs, 2, arena, &made.fonts);
+    if (status == MT_OK) *glyphs = made;
     return status;
 }

@@ -1,0 +1,13 @@
+/* A glyph of a variable font from its tracks on each step of the row. */
+#ifndef MT_BLEND_JOIN_H
+#define MT_BLEND_JOIN_H
+
+#include "blend/outlines.h"
+
+/* The glyph as it is at the first font, and its points at all places that its tracks have, in the making's arena. It has the
+ * contours of all tracks, and those of a segment that is not at hand are collapsed to a point; or, of a composite, its
+ * references. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_tracks_join(mt_making *making, const mt_outlines *outlines, int glyph, mt_glyf *glyf,
+                         mt_glyph_path *path);
+
+#endif

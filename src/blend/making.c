@@ -1,0 +1,152 @@
+#include "blend/making.h"
+
+#include "glyphset/new_names.h"
+#include "sfnt/sfnt.h"
+#include "write/extent.h"
+
+/* ---- what there is to make ----------------------------------------------------------------------------- */
+
+mt_status mt_making_begin(mt_making *making, mt_row *row, const mt_charset_request *request) {
+    making->row = row;
+    making->step_count = row->font_count - 1;
+    making->units = mt_row_units(row);
+    mt_status status = mt_row_glyphs_make(row->fonts, row->font_count, request, &making->arena, &making->set);
+    if (status == MT_OK) making->glyph_count = making->set.charset.glyph_count;
+    return status;
+}
+
+/* The glyphs by depth, in their order otherwise. */
+static mt_status order_glyphs(mt_making *making) {
+    int ordered = 0;
+    making->order = mt_arena_new(&making->arena, (size_t)making->glyph_count, sizeof *making->order);
+    if (!making->order) return MT_NO_MEMORY;
+    for (int depth = 0; depth <= MT_GLYF_DEPTH_MAX; depth++)
+        for (int i = 0; i < making->glyph_count; i++)
+            if (making->composites[i].depth == depth) making->order[ordered++] = i;
+    return MT_OK;
+}
+
+static mt_status take_layout(mt_making *making) {
+    const mt_charset *charset = &making->set.charset;
+    const mt_row *row = making->row;
+    mt_arena *arena = &making->arena;
+    uint16_t *kept = mt_arena_new(arena, (size_t)charset->primary_count, sizeof *kept);
+    if (!kept) return MT_NO_MEMORY;
+    for (int i = 0; i < charset->primary_count; i++) kept[i] = (uint16_t)charset->glyphs[i].a;
+    mt_status status = mt_gsub_subset(row->fonts[0], kept, charset->primary_count, arena, &making->layout);
+    if (status == MT_OK) status = mt_charset_twins(charset, arena, &making->layout);
+    if (status == MT_OK) status = mt_glyph_names_make(row->fonts[0], charset, arena, &making->glyph_names);
+    if (status != MT_OK) return status;
+    return mt_positions_prepare(row->fonts, &making->set.fonts, making->units, arena, &making->positions);
+}
+
+mt_status mt_making_begin_font(mt_making *making, mt_row *row) {
+    mt_charset_request request = {row->wanted, row->wanted_count, row->set};
+    mt_status status = mt_making_begin(making, row, &request);
+    if (status != MT_OK) return status;
+    row->unblended = making->set.charset.unblended_count;
+    status = mt_composites_find(row, &making->set.fonts, &making->arena, &making->composites);
+    if (status == MT_OK) status = order_glyphs(making);
+    return status == MT_OK ? take_layout(making) : status;
+}
+
+void mt_making_end(mt_making *making) {
+    mt_thread_arenas_release(&making->kept);
+    mt_arena_release(&making->arena);
+}
+
+/* ---- one glyph ----------------------------------------------------------------------------------------- */
+
+static mt_status take(mt_glyph_task *task, const bool *wanted) {
+    const mt_making *making = task->making;
+    mt_status status = MT_OK, prepared = mt_pair_prepare(making->row, task->step, task->a, task->b,
+                                                         task->scratch, &task->pair);
+    if (prepared == MT_NO_MEMORY) return prepared;
+    for (int i = 0; i < making->sink_count && status == MT_OK; i++)
+        if (wanted[i]) status = making->sinks[i].take(task, prepared, making->sinks[i].user);
+    return status;
+}
+
+/* A task: the glyphs of the first step, then those of the second, and so on. */
+static mt_status make_glyph(int index, mt_arena *scratch, mt_arena *kept, void *user) {
+    mt_making *making = user;
+    const mt_font_glyphs *fonts = &making->set.fonts;
+    int turn = making->first + index % making->batch, step = index / making->batch;
+    int glyph = making->order ? making->order[turn] : turn;
+    bool wanted[MT_SINKS_MAX] = {false}, any = false;
+    mt_glyph_task task = {.making = making,
+                          .step = step,
+                          .glyph = glyph,
+                          .a = fonts->of[step][glyph],
+                          .b = fonts->of[step + 1][glyph],
+                          .scratch = scratch,
+                          .kept = kept};
+    if (step > 0 && task.b == MT_NO_PARTNER) return MT_OK;
+    mt_status status = mt_pair_read_rooms(making->row, step, task.a, task.b, &task.pair);
+    for (int i = 0; i < making->sink_count && status == MT_OK; i++) {
+        status = making->sinks[i].begin(&task, making->sinks[i].user, &wanted[i]);
+        any = any || wanted[i];
+    }
+    return status == MT_OK && any ? take(&task, wanted) : status;
+}
+
+/* ---- all of them --------------------------------------------------------------------------------------- */
+
+/* How many glyphs from the first one on are of the same depth. */
+static int batch_from(const mt_making *making, int first) {
+    int end = first + 1;
+    if (!making->order) return making->glyph_count;
+    while (end < making->glyph_count &&
+           making->composites[making->order[end]].depth == making->composites[making->order[first]].depth)
+        end++;
+    return end - first;
+}
+
+static mt_status run_batch(mt_making *making) {
+    mt_row_progress progress = {making->row, making->step_count * making->first,
+                                making->step_count * making->glyph_count};
+    mt_work work = {.count = making->step_count * making->batch,
+                    .task = make_glyph,
+                    .user = making,
+                    .kept = &making->kept,
+                    .threads = making->row->params.threads,
+                    .progress = mt_row_pass_progress,
+                    .progress_user = &progress};
+    return mt_work_run(&work);
+}
+
+mt_status mt_making_run(mt_making *making) {
+    mt_status status = MT_OK;
+    for (int i = 0; i < making->sink_count && status == MT_OK; i++)
+        status = making->sinks[i].start(making, making->sinks[i].user);
+    for (making->first = 0; making->first < making->glyph_count && status == MT_OK;
+         making->first += making->batch) {
+        making->batch = batch_from(making, making->first);
+        status = run_batch(making);
+    }
+    return status;
+}
+
+void mt_making_report(mt_making *making, int glyph, mt_status why) {
+    if (glyph != 0) mt_row_report(making->row, making->set.charset.glyphs[glyph].code_point, why);
+}
+
+/* ---- as data ------------------------------------------------------------------------------------------- */
+
+void mt_add_extra(mt_font_data *data, uint32_t tag, mt_bytes table) {
+    if (table.length) data->extras[data->extra_count++] = (mt_extra_table){tag, table};
+}
+
+mt_font_data mt_making_font(const mt_making *making, mt_glyf *glyphs) {
+    const mt_charset *charset = &making->set.charset;
+    mt_font_data data = {.units = making->units,
+                         .glyph_count = charset->glyph_count,
+                         .glyphs = glyphs,
+                         .char_count = charset->char_count,
+                         .chars = charset->chars,
+                         .variant_count = charset->variant_count,
+                         .variants = charset->variants,
+                         .glyph_names = making->glyph_names};
+    mt_add_extra(&data, MT_TAG('G', 'S', 'U', 'B'), making->layout.gsub);
+    return data;
+}

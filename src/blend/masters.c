@@ -1,0 +1,132 @@
+#include "blend/masters.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "blend/metadata.h"
+#include "gpos/kerning.h"
+#include "sfnt/axis.h"
+#include "write/extent.h"
+
+/* ---- places -------------------------------------------------------------------------------------------- */
+
+/* All of them, ascending. */
+static mt_status list_places(const mt_making *making, const mt_outlines *outlines, const mt_glyph_path *paths,
+                             mt_arena *arena, int **places, int *count) {
+    bool *used = mt_arena_new(arena, MT_PLACE_ONE + 1, sizeof *used);
+    *places = mt_arena_new(arena, MT_PLACE_ONE + 1, sizeof **places);
+    if (!used || !*places) return MT_NO_MEMORY;
+    for (int i = 0; i <= making->step_count; i++) used[outlines->places[i]] = true;
+    for (int i = 0; i < making->glyph_count; i++)
+        for (int k = 0; k < paths[i].place_count; k++) used[paths[i].places[k]] = true;
+    *count = 0;
+    for (int i = 0; i <= MT_PLACE_ONE; i++)
+        if (used[i]) (*places)[(*count)++] = i;
+    return MT_OK;
+}
+
+/* ---- glyphs -------------------------------------------------------------------------------------------- */
+
+static int16_t mixed(int before, int after, double share) {
+    return (int16_t)floor(before + share * (after - before) + 0.5);
+}
+
+/* Where a point is at a place, which is `own` at 0: on the straight line between the two of its places around it. */
+static mt_font_point point_at(const mt_glyph_path *path, int place, int point, mt_font_point own) {
+    if (path->place_count == 0) return own;
+    int i = 0;
+    while (i + 1 < path->place_count && path->places[i] < place) i++;
+    int from = i ? path->places[i - 1] : 0;
+    double share = (double)(place - from) / (path->places[i] - from);
+    mt_font_point p = i ? path->at[i - 1][point] : own, q = path->at[i][point];
+    return (mt_font_point){mixed(p.x, q.x, share), mixed(p.y, q.y, share)};
+}
+
+void mt_glyph_room_at(const mt_glyf *glyph, const mt_glyph_path *path, int place, mt_glyf *made) {
+    int phantoms = mt_glyf_point_count(glyph) + glyph->reference_count;
+    mt_font_point right = {(int16_t)glyph->advance, 0}, top = {0, glyph->origin},
+                  bottom = {0, (int16_t)(glyph->origin - glyph->height)};
+    made->advance = (uint16_t)point_at(path, place, phantoms + 1, right).x;
+    made->origin = point_at(path, place, phantoms + 2, top).y;
+    made->height = (uint16_t)(made->origin - point_at(path, place, phantoms + 3, bottom).y);
+}
+
+/* The glyph as it is at a place. */
+static mt_status glyph_at(const mt_glyf *glyph, const mt_glyph_path *path, int place, mt_arena *arena,
+                          mt_glyf *made) {
+    int points = mt_glyf_point_count(glyph), references = glyph->reference_count;
+    *made = *glyph;
+    made->points = mt_arena_new(arena, (size_t)points, sizeof *made->points);
+    made->references = mt_arena_new(arena, (size_t)references, sizeof *made->references);
+    if (!made->points || !made->references) return MT_NO_MEMORY;
+    for (int i = 0; i < points; i++) {
+        const mt_glyf_point *p = &glyph->points[i];
+        mt_font_point at = point_at(path, place, i, (mt_font_point){p->x, p->y});
+        made->points[i] = (mt_glyf_point){at.x, at.y, p->on};
+    }
+    for (int i = 0; i < references; i++) {
+        const mt_glyf_reference *r = &glyph->references[i];
+        mt_font_point at = point_at(path, place, i, (mt_font_point){r->dx, r->dy});
+        made->references[i] = (mt_glyf_reference){r->glyph, at.x, at.y, r->same_metrics};
+    }
+    mt_glyph_room_at(glyph, path, place, made);
+    return MT_OK;
+}
+
+static mt_status glyphs_at(const mt_font_data *font, int place, mt_arena *arena, mt_glyf **glyphs) {
+    mt_status status = MT_OK;
+    *glyphs = mt_arena_new(arena, (size_t)font->glyph_count, sizeof **glyphs);
+    if (!*glyphs) return MT_NO_MEMORY;
+    for (int i = 0; i < font->glyph_count && status == MT_OK; i++)
+        status = glyph_at(&font->glyphs[i], &font->variation->paths[i], place, arena, &(*glyphs)[i]);
+    return status;
+}
+
+/* ---- masters ------------------------------------------------------------------------------------------- */
+
+static mt_status kern(const mt_positions *positions, mt_between between, mt_arena *arena,
+                      mt_font_data *master) {
+    mt_kerning *kerning = mt_arena_new(arena, 1, sizeof *kerning);
+    if (!kerning) return MT_NO_MEMORY;
+    master->kerning = kerning;
+    return mt_positions_kerning(positions, between.first + between.t, arena, kerning);
+}
+
+static mt_status name_style(int place, mt_arena *arena, const char **style) {
+    enum { NAME_ROOM = 32 };
+    char *name = mt_arena_new(arena, NAME_ROOM, 1);
+    if (!name) return MT_NO_MEMORY;
+    snprintf(name, NAME_ROOM, MT_AXIS_NAME " %.6g", mt_axis_value(place));
+    *style = name;
+    return MT_OK;
+}
+
+static mt_status make_master(const mt_making *making, mt_between between, const mt_font_data *font, int place,
+                             mt_arena *arena, mt_font_data *master) {
+    mt_font *const *fonts = making->row->fonts + between.first;
+    *master = *font;
+    master->variation = NULL;
+    master->extra_count = 0;
+    mt_metadata_fill(fonts[0], fonts[1], between.t, master);
+    mt_status status = name_style(place, arena, &master->style);
+    if (status == MT_OK) status = glyphs_at(font, place, arena, &master->glyphs);
+    if (status == MT_OK) status = kern(making->positions, between, arena, master);
+    return status;
+}
+
+mt_status mt_masters_make(const mt_making *making, const mt_outlines *outlines, const mt_font_data *font,
+                          mt_font_ready ready, void *user) {
+    mt_arena arena = {0};
+    int count, *places;
+    mt_status status = list_places(making, outlines, font->variation->paths, &arena, &places, &count);
+    for (int i = 0; i < count && status == MT_OK; i++) {
+        mt_font_data master;
+        mt_arena_place before = mt_arena_mark(&arena);
+        mt_between between = mt_outlines_between(outlines, making->step_count, places[i]);
+        status = make_master(making, between, font, places[i], &arena, &master);
+        if (status == MT_OK) status = ready(&master, places[i], user);
+        mt_arena_rewind(&arena, before);
+    }
+    mt_arena_release(&arena);
+    return status;
+}

@@ -1,0 +1,224 @@
+/* Rows of fonts and their settings, as blends and variable fonts have them. */
+#include "blend/row.h"
+
+#include "base/memory.h"
+#include "blend/metadata.h"
+#include "blend/review.h"
+#include "morph/model/params.h"
+
+/* ---- rows ---------------------------------------------------------------------------------------------- */
+
+mt_status mt_row_open(mt_font *const *fonts, int count, const mt_params *params, mt_row *row) {
+    mt_status status = mt_params_check(params);
+    if (status != MT_OK) return status;
+    mt_row made = {.font_count = count,
+                   .fonts = mt_new((size_t)count, sizeof *made.fonts),
+                   .hints = mt_new((size_t)count, sizeof *made.hints),
+                   .params = *params};
+    if (!made.fonts || !made.hints) {
+        mt_free(made.fonts);
+        mt_free(made.hints);
+        return MT_NO_MEMORY;
+    }
+    for (int i = 0; i < count; i++) made.fonts[i] = fonts[i];
+    pthread_mutex_init(&made.lock, NULL);
+    *row = made;
+    return MT_OK;
+}
+
+static void free_hints(mt_hint_index **hints, int font_count) {
+    for (int i = 0; i + 1 < font_count; i++) mt_hint_index_free(hints[i]);
+    mt_free(hints);
+}
+
+void mt_row_close(mt_row *row) {
+    if (!row->fonts) return;
+    free_hints(row->hints, row->font_count);
+    mt_free(row->fonts);
+    mt_free(row->family);
+    mt_free(row->wanted);
+    pthread_mutex_destroy(&row->lock);
+}
+
+mt_status mt_row_set_hints(mt_row *row, const mt_hint_table *table, mt_hint_error *error) {
+    mt_hint_index **hints = mt_new((size_t)row->font_count, sizeof *hints);
+    mt_status status = hints ? MT_OK : MT_NO_MEMORY;
+    for (int i = 0; table && i + 1 < row->font_count && status == MT_OK; i++)
+        status = mt_hint_index_new(table, row->fonts[i], row->fonts[i + 1], &hints[i], error);
+    mt_hint_index **unused = status == MT_OK ? row->hints : hints;
+    if (status == MT_OK) row->hints = hints;
+    if (unused) free_hints(unused, row->font_count);
+    return status;
+}
+
+mt_status mt_row_set_chars(mt_row *row, const uint32_t *code_points, int count) {
+    uint32_t *copy = count > 0 ? mt_new((size_t)count, sizeof *copy) : NULL;
+    if (count > 0 && !copy) return MT_NO_MEMORY;
+    for (int i = 0; i < count; i++) copy[i] = code_points[i];
+    mt_free(row->wanted);
+    row->wanted = copy;
+    row->wanted_count = count > 0 ? count : 0;
+    return MT_OK;
+}
+
+static mt_status set_family(mt_row *row, const char *name) {
+    char *copy = name ? mt_copy_text(name) : NULL;
+    if (name && !copy) return MT_NO_MEMORY;
+    mt_free(row->family);
+    row->family = copy;
+    return MT_OK;
+}
+
+static mt_status review(const mt_row *row, mt_warning call, void *user) {
+    mt_status status = MT_OK;
+    for (int i = 0; i + 1 < row->font_count && status == MT_OK; i++)
+        status = mt_review(row->fonts[i], row->fonts[i + 1], row->family, call, user);
+    return status;
+}
+
+int mt_row_units(const mt_row *row) {
+    int units = 0;
+    for (int i = 0; i + 1 < row->font_count; i++) {
+        int needed = mt_metadata_units(row->fonts[i], row->fonts[i + 1]);
+        if (needed > units) units = needed;
+    }
+    return units;
+}
+
+void mt_row_pass_progress(int done, int all, void *user) {
+    const mt_row_progress *part = user;
+    mt_row *row = part->row;
+    (void)all;
+    if (!row->progress) return;
+    pthread_mutex_lock(&row->lock);
+    row->progress(part->before + done, part->all, row->progress_user);
+    pthread_mutex_unlock(&row->lock);
+}
+
+void mt_row_report(mt_row *row, uint32_t code_point, mt_status why) {
+    if (!row->failed) return;
+    pthread_mutex_lock(&row->lock);
+    row->failed(code_point, why, row->failed_user);
+    pthread_mutex_unlock(&row->lock);
+}
+
+/* ---- blends -------------------------------------------------------------------------------------------- */
+
+mt_status mt_blend_new(mt_font *a, mt_font *b, const mt_params *params, mt_blend **blend) {
+    mt_blend *made = mt_new(1, sizeof *made);
+    if (!made) return MT_NO_MEMORY;
+    mt_status status = mt_row_open((mt_font *[]){a, b}, 2, params, &made->row);
+    if (status == MT_OK)
+        *blend = made;
+    else
+        mt_free(made);
+    return status;
+}
+
+void mt_blend_free(mt_blend *blend) {
+    if (!blend) return;
+    mt_row_close(&blend->row);
+    mt_free(blend);
+}
+
+void mt_blend_on_failure(mt_blend *blend, mt_glyph_failed call, void *user) {
+    blend->row.failed = call;
+    blend->row.failed_user = user;
+}
+
+void mt_blend_on_progress(mt_blend *blend, mt_progress call, void *user) {
+    blend->row.progress = call;
+    blend->row.progress_user = user;
+}
+
+mt_status mt_blend_set_family(mt_blend *blend, const char *name) {
+    return set_family(&blend->row, name);
+}
+
+mt_status mt_blend_warnings(const mt_blend *blend, mt_warning call, void *user) {
+    return review(&blend->row, call, user);
+}
+
+mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count) {
+    return mt_row_set_chars(&blend->row, code_points, count);
+}
+
+void mt_blend_set_glyphs(mt_blend *blend, mt_glyph_set set) {
+    blend->row.set = set;
+}
+
+int mt_blend_unblended(const mt_blend *blend) {
+    return blend->row.unblended;
+}
+
+mt_status mt_blend_set_hints(mt_blend *blend, const mt_hint_table *table, mt_hint_error *error) {
+    return mt_row_set_hints(&blend->row, table, error);
+}
+
+int mt_blend_units_per_em(const mt_blend *blend) {
+    return mt_row_units(&blend->row);
+}
+
+/* ---- variable fonts ------------------------------------------------------------------------------------ */
+
+mt_status mt_variable_new(mt_font *const *fonts, int count, const mt_params *params, mt_variable **variable) {
+    if (count < 2 || count > MT_VARIABLE_FONTS_MAX) return MT_BAD_PARAMETER;
+    mt_variable *made = mt_new(1, sizeof *made);
+    if (!made) return MT_NO_MEMORY;
+    mt_status status = mt_row_open(fonts, count, params, &made->row);
+    if (status == MT_OK)
+        *variable = made;
+    else
+        mt_free(made);
+    return status;
+}
+
+void mt_variable_free(mt_variable *variable) {
+    if (!variable) return;
+    mt_row_close(&variable->row);
+    mt_axis_map_free(&variable->map);
+    mt_free(variable);
+}
+
+void mt_variable_on_failure(mt_variable *variable, mt_glyph_failed call, void *user) {
+    variable->row.failed = call;
+    variable->row.failed_user = user;
+}
+
+void mt_variable_on_progress(mt_variable *variable, mt_progress call, void *user) {
+    variable->row.progress = call;
+    variable->row.progress_user = user;
+}
+
+mt_status mt_variable_set_family(mt_variable *variable, const char *name) {
+    return set_family(&variable->row, name);
+}
+
+mt_status mt_variable_warnings(const mt_variable *variable, mt_warning call, void *user) {
+    return review(&variable->row, call, user);
+}
+
+mt_status mt_variable_set_chars(mt_variable *variable, const uint32_t *code_points, int count) {
+    return mt_row_set_chars(&variable->row, code_points, count);
+}
+
+void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set) {
+    variable->row.set = set;
+}
+
+int mt_variable_unblended(const mt_variable *variable) {
+    return variable->row.unblended;
+}
+
+mt_status mt_variable_set_map(mt_variable *variable, const double *values, const double *places, int count) {
+    mt_axis_map map = {0};
+    mt_status status = count == 0 ? MT_OK : mt_axis_map_make(values, places, count, &map);
+    if (status != MT_OK) return status;
+    mt_axis_map_free(&variable->map);
+    variable->map = map;
+    return MT_OK;
+}
+
+mt_status mt_variable_set_hints(mt_variable *variable, const mt_hint_table *table, mt_hint_error *error) {
+    return mt_row_set_hints(&variable->row, table, error);
+}

@@ -1,0 +1,65 @@
+/* A row of fonts: two or more sources in their order, and what is asked of the fonts between them.
+ *
+ * A blend is a row of two, of which fonts at single places are made; a variable font is made of all of a row at once. What
+ * one glyph is between two neighbours of the row is read and prepared in one way for both (pair.h), glyph by glyph in one
+ * way (making.h), and goes into instances (instances.c) or moving contours (outlines.c).
+ *
+ * Nothing of a row changes while fonts are made of it. `lock` is held while a font is read, because a FreeType face is not
+ * for two threads, and while the caller is called, who is not asked to lock anything. */
+#ifndef MT_BLEND_ROW_H
+#define MT_BLEND_ROW_H
+
+#include <pthread.h>
+
+#include "hints/index.h"
+#include "sfnt/axis_map.h"
+#include "source/font.h"
+
+typedef struct mt_row {
+    int font_count;
+    mt_font **fonts;
+    mt_hint_index *
+        *hints; /* between each font and the next: font_count - 1 of them; NULL where there are none */
+    mt_params params;
+    char *family;     /* NULL: made from the sources' */
+    int wanted_count; /* 0: all characters */
+    uint32_t *wanted;
+    mt_glyph_set set;
+    int unblended; /* glyphs of the last fonts */
+    mt_glyph_failed failed;
+    mt_progress progress;
+    void *failed_user, *progress_user;
+    pthread_mutex_t lock;
+} mt_row;
+
+struct mt_blend {
+    mt_row row; /* of two fonts */
+};
+
+struct mt_variable {
+    mt_row row;
+    mt_axis_map map; /* as mt_variable_set_map has it */
+};
+
+/* A row of 1 … MT_VARIABLE_FONTS_MAX fonts, which it keeps using. MT_BAD_PARAMETER, MT_NO_MEMORY. */
+mt_status mt_row_open(mt_font *const *fonts, int count, const mt_params *params, mt_row *row);
+void mt_row_close(mt_row *row); /* all zero is fine */
+
+/* As the calls for a blend (morphotype.h). */
+mt_status mt_row_set_hints(mt_row *row, const mt_hint_table *table, mt_hint_error *error);
+mt_status mt_row_set_chars(mt_row *row, const uint32_t *code_points, int count);
+
+/* The new font's units per em: the most that the blend of two neighbours needs (metadata.h). */
+int mt_row_units(const mt_row *row);
+
+/* The progress of a part of the work, which has `all` steps of which `before` are done when it begins. */
+typedef struct mt_row_progress {
+    mt_row *row;
+    int before, all;
+} mt_row_progress;
+/* An mt_progress; `user` is an mt_row_progress. Calls the caller, who may not have asked for it, under the lock. */
+void mt_row_pass_progress(int done, int all, void *user);
+/* Tells the caller, under the lock, that the glyph of a character could not be blended. */
+void mt_row_report(mt_row *row, uint32_t code_point, mt_status why);
+
+#endif

@@ -1,0 +1,76 @@
+#include "blend/varying_tables.h"
+
+#include "blend/masters.h"
+#include "blend/metadata.h"
+#include "sfnt/sfnt.h"
+#include "write/varying.h"
+
+/* GSUB is the first font's, and there already; GPOS and GDEF vary. */
+static mt_status add_positions(mt_making *making, mt_font_data *font) {
+    mt_bytes gpos, gdef;
+    mt_status status =
+        mt_positions_write_varying(making->positions, making->layout.gdef, &making->arena, &gpos, &gdef);
+    if (status != MT_OK) return status;
+    mt_add_extra(font, MT_TAG('G', 'P', 'O', 'S'), gpos);
+    mt_add_extra(font, MT_TAG('G', 'D', 'E', 'F'), gdef);
+    return MT_OK;
+}
+
+/* The glyphs at each font, without outlines. */
+static mt_status list_rooms(mt_making *making, const mt_outlines *outlines, const mt_font_data *font,
+                            mt_glyf ***rooms) {
+    size_t fonts = (size_t)making->row->font_count, glyphs = (size_t)making->glyph_count;
+    *rooms = mt_arena_new(&making->arena, fonts, sizeof **rooms);
+    if (!*rooms) return MT_NO_MEMORY;
+    for (size_t i = 0; i < fonts; i++) {
+        (*rooms)[i] = mt_arena_new(&making->arena, glyphs, sizeof(mt_glyf));
+        if (!(*rooms)[i]) return MT_NO_MEMORY;
+        for (size_t k = 0; k < glyphs; k++)
+            mt_glyph_room_at(&font->glyphs[k], &font->variation->paths[k], outlines->places[i],
+                             &(*rooms)[i][k]);
+    }
+    return MT_OK;
+}
+
+static mt_status add_rooms(mt_making *making, const mt_outlines *outlines, mt_font_data *font) {
+    mt_glyf **rooms;
+    mt_bytes hvar, vvar = {0};
+    int fonts = making->row->font_count;
+    mt_status status = list_rooms(making, outlines, font, &rooms);
+    if (status == MT_OK) status = mt_hvar_write(rooms, fonts, making->glyph_count, &making->arena, &hvar);
+    if (status == MT_OK && font->metrics.vertical)
+        status = mt_vvar_write(rooms, fonts, making->glyph_count, &making->arena, &vvar);
+    if (status != MT_OK) return status;
+    mt_add_extra(font, MT_TAG('H', 'V', 'A', 'R'), hvar);
+    mt_add_extra(font, MT_TAG('V', 'V', 'A', 'R'), vvar);
+    return MT_OK;
+}
+
+/* The font's own are those of the first source, with the lines that can vary. */
+static mt_status add_figures(mt_making *making, mt_font_data *font) {
+    int count = making->row->font_count;
+    mt_metrics *metrics = mt_arena_new(&making->arena, (size_t)count, sizeof *metrics);
+    if (!metrics) return MT_NO_MEMORY;
+    bool vertical = false;
+    for (int i = 0; i < count; i++) {
+        mt_font *const *fonts = making->row->fonts + (i ? i - 1 : 0);
+        mt_font_data at = {.units = making->units};
+        mt_metadata_fill(fonts[0], fonts[1], i ? 1 : 0, &at);
+        metrics[i] = at.metrics;
+        vertical = vertical || at.metrics.vertical;
+    }
+    for (int i = 0; i < count; i++) metrics[i].vertical = vertical;
+    mt_varying_lines(metrics, count);
+    mt_bytes mvar;
+    mt_status status = mt_mvar_write(metrics, count, &making->arena, &mvar);
+    if (status != MT_OK) return status;
+    font->metrics = metrics[0];
+    mt_add_extra(font, MT_TAG('M', 'V', 'A', 'R'), mvar);
+    return MT_OK;
+}
+
+mt_status mt_varying_tables_add(mt_making *making, const mt_outlines *outlines, mt_font_data *font) {
+    mt_status status = add_positions(making, font);
+    if (status == MT_OK) status = add_figures(making, font);
+    return status == MT_OK ? add_rooms(making, outlines, font) : status;
+}
