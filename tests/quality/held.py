@@ -1,7 +1,7 @@
 """What docs/quality.md claims, held on a sample with floors, on Debian's fonts alone: held.py CLASS, with the program in $MORPHOTYPE.
 
 Topology: of every 18th of the common Han of GB 2312, how many have their counts of components and holes in the range of the
-ends', at every place. Weights and Han: two weights whose points correspond are redrawn, so that no point does any more (curves
+ends', at every place. Letters: that `report` flags none of three pairs. Weights and Han: two weights whose points correspond are redrawn, so that no point does any more (curves
 split at random places, starts turned, contours shuffled); the blend half-way is held against the mean of the points as they
 were, by intersection over union: median and 5th percentile. Each floor is what was measured, less a margin for another
 compiler's rounding and for changes that are better elsewhere.
@@ -25,6 +25,8 @@ import topology
 HERE = pathlib.Path(__file__).resolve().parent
 FONTS = pathlib.Path('/usr/share/fonts')
 NOTO = FONTS / 'opentype/noto'
+DEJAVU = FONTS / 'truetype/dejavu'
+URW = FONTS / 'opentype/urw-base35'
 INTER = FONTS / 'truetype/inter-vf/Inter-roman.var.ttf'
 SIMPLIFIED = 2 # the face of the Noto collections
 LATIN = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789'
@@ -196,6 +198,26 @@ class Topology(unittest.TestCase):
         print(summary)
         self.assertEqual((len(han), summary['glyphs'], summary['failed']), (209, 209, 0))
         self.assertGreaterEqual(summary['counts_in_range'], self.FLOOR)
+
+
+class Letters(unittest.TestCase):
+    """None of the letters and figures that quality.md shows is out of range, nor has any more kinks or points than are let pass."""
+
+    def hold(self, a, b):
+        with tempfile.TemporaryDirectory(prefix='morphotype-test-') as directory:
+            chars = pathlib.Path(directory) / 'latin.txt'
+            chars.write_text(LATIN, encoding='utf-8')
+            summary = topology.report(os.environ['MORPHOTYPE'], a, b, chars, 'joint', [])['summary']
+        self.assertEqual((summary['glyphs'], summary['flagged'], summary['failed']), (len(LATIN), 0, 0))
+
+    def test_dejavu(self):
+        self.hold(DEJAVU / 'DejaVuSans-Bold.ttf', DEJAVU / 'DejaVuSerif.ttf')
+
+    def test_inter_and_dejavu(self):
+        self.hold(INTER, DEJAVU / 'DejaVuSerif.ttf')
+
+    def test_nimbus_and_p052(self):
+        self.hold(URW / 'NimbusSans-Regular.otf', URW / 'P052-Roman.otf')
 
 
 class Redrawn(unittest.TestCase):
