@@ -14,7 +14,6 @@
 #include "base/workers.h"
 #include "blend/composite.h"
 #include "blend/pair.h"
-#include "glyphset/row_glyphs.h"
 #include "gpos/positions.h"
 #include "gsub/subset.h"
 

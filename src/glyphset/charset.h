@@ -2,8 +2,9 @@
 #ifndef MT_GLYPHSET_CHARSET_H
 #define MT_GLYPHSET_CHARSET_H
 
-#include "glyphset/match.h"
+#include "glyphset/font_pair.h"
 #include "gsub/subset.h"
+#include "sfnt/var_store.h"
 #include "write/font_data.h"
 
 /* A glyph of the new font: the glyphs of the two sources that it lies between. */
@@ -26,15 +27,25 @@ typedef struct mt_charset {
     mt_char_variation *variants; /* variation sequences of these characters; by selector, then by character */
 } mt_charset;
 
-typedef struct mt_charset_request {
-    const uint32_t *wanted; /* only these code points, in any order, and their forms */
-    int count;              /* 0: all */
-    mt_glyph_set set;
-} mt_charset_request;
+/* The glyphs of the new font, as each font has them. */
+typedef struct mt_font_glyphs {
+    int font_count, glyph_count;
+    const uint32_t *of[MT_STOPS_MAX]; /* MT_NO_PARTNER where a font has none; the first has all */
+} mt_font_glyphs;
 
-/* Pairs the glyphs of both fonts by characters, by variation sequences, by names and by the features that lead to them (font/match.h), and keeps
- * the pairs, or all of A's glyphs. Of limited characters it keeps their glyphs and those that A's substitutions make of
- * them. Where a font cannot hold all further pairs, their characters lead to A's one. MT_NOTHING_SHARED, MT_NO_MEMORY. */
+/* The glyph set of a row: its characters, and the first font's glyphs with those of the second; and the glyphs of every font.
+ * A glyph that some font has not stays as it is in the first: no other font has it here. */
+typedef struct mt_row_glyphs {
+    mt_charset charset;
+    mt_font_glyphs fonts;
+} mt_row_glyphs;
+
+/* Pairs the glyphs of the first font with those of each other one (font_pair.h), and keeps those that have a partner in all
+ * of them, or all of the first font's. Where a font cannot hold all further tuples, their characters lead to the first font's
+ * glyph. MT_NOTHING_SHARED, MT_NO_MEMORY. */
+mt_status mt_row_glyphs_make(mt_font *const *fonts, int count, const mt_charset_request *request,
+                             mt_arena *arena, mt_row_glyphs *glyphs);
+/* Of a row of two. */
 mt_status mt_charset_make(mt_font *a, mt_font *b, const mt_charset_request *request, mt_arena *arena,
                           mt_charset *charset);
 

@@ -28,15 +28,4 @@ static inline double mt_between_mix(mt_between between, double first, double sec
     return (1 - between.t) * first + between.t * second;
 }
 
-/* The glyphs of the new font, as each font has them. */
-typedef struct mt_font_glyphs {
-    int font_count, glyph_count;
-    const uint32_t *of[MT_STOPS_MAX]; /* MT_NO_PARTNER where a font has none; the first has all */
-} mt_font_glyphs;
-
-/* charsets[k] pairs the first font's glyphs with those of font k + 1; all have the same glyphs of the first font.
- * MT_NO_MEMORY. */
-mt_status mt_font_glyphs_make(const mt_charset *charsets, int font_count, mt_arena *arena,
-                              mt_font_glyphs *glyphs);
-
 #endif

@@ -259,23 +259,14 @@ static bool in_range(const mt_sheet *sheet) {
            sheet->rows_per_page >= 0 && sheet->size >= MT_SIZE_MIN && sheet->size <= MT_SIZE_MAX;
 }
 
-static mt_status make_instances(mt_blend *blend, const mt_sheet *sheet, mt_typeset **instances) {
-    uint32_t glyph;
-    mt_status status = mt_blend_set_chars(blend, sheet->code_points, sheet->count);
-    if (status == MT_OK) status = mt_typesets_new(blend, sheet->at, sheet->step_count, instances);
-    for (int i = 0; status == MT_OK && i < sheet->count; i++)
-        if (!mt_typeset_glyph(*instances, sheet->code_points[i], &glyph)) status = MT_NO_GLYPH;
-    if (status == MT_OK && sheet->made) status = sheet->made(sheet->user);
-    return status;
-}
-
 mt_status mt_sheet_save(mt_blend *blend, const mt_sheet *sheet, const char *path) {
     mt_format format;
     mt_status status = mt_format_of(path, &format);
     if (status != MT_OK) return status;
     if (!in_range(sheet)) return MT_BAD_PARAMETER;
     sheet_page page = {.sheet = sheet};
-    status = make_instances(blend, sheet, &page.instances);
+    status = mt_typesets_new(blend, sheet->code_points, sheet->count, sheet->at, sheet->step_count,
+                             sheet->made, sheet->user, &page.instances);
     if (status == MT_OK) {
         lay_out(&page);
         status = format == MT_FORMAT_PDF ? save_pages_in_one(&page, format, path)

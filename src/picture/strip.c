@@ -59,15 +59,13 @@ static mt_status code_points_of(const char *text, uint32_t **code_points, int *c
 
 /* Makes the fonts, of the text's characters alone. */
 static mt_status make_instances(mt_blend *blend, const mt_strip *strip, mt_typeset **instances) {
-    uint32_t *code_points, glyph;
+    uint32_t *code_points;
     int count;
     mt_status status = code_points_of(strip->text, &code_points, &count);
     if (status == MT_OK && count == 0) status = MT_BAD_PARAMETER;
-    if (status == MT_OK) status = mt_blend_set_chars(blend, code_points, count);
-    if (status == MT_OK) status = mt_typesets_new(blend, strip->at, strip->step_count, instances);
-    for (int i = 0; status == MT_OK && i < count; i++)
-        if (!mt_typeset_glyph(*instances, code_points[i], &glyph)) status = MT_NO_GLYPH;
-    if (status == MT_OK && strip->made) status = strip->made(strip->user);
+    if (status == MT_OK)
+        status = mt_typesets_new(blend, code_points, count, strip->at, strip->step_count, strip->made,
+                                 strip->user, instances);
     mt_free(code_points);
     return status;
 }

@@ -98,19 +98,25 @@ static mt_status open_fonts(uint8_t **bytes, const size_t *lengths, int count, m
     return status;
 }
 
-mt_status mt_typesets_new(mt_blend *blend, const double *at, int count, mt_typeset **instances) {
-    mt_typeset *made = mt_new((size_t)count, sizeof *made);
+mt_status mt_typesets_new(mt_blend *blend, const uint32_t *code_points, int char_count, const double *at,
+                          int count, mt_fonts_made made, void *user, mt_typeset **instances) {
+    mt_typeset *list = mt_new((size_t)count, sizeof *list);
     uint8_t **bytes = mt_new((size_t)count, sizeof *bytes);
     size_t *lengths = mt_new((size_t)count, sizeof *lengths);
-    mt_status status = made && bytes && lengths ? MT_OK : MT_NO_MEMORY;
+    uint32_t glyph;
+    mt_status status = list && bytes && lengths ? MT_OK : MT_NO_MEMORY;
+    if (status == MT_OK) status = mt_blend_set_chars(blend, code_points, char_count);
     if (status == MT_OK) status = mt_blend_fonts(blend, at, count, bytes, lengths);
-    if (status == MT_OK) status = open_fonts(bytes, lengths, count, made);
+    if (status == MT_OK) status = open_fonts(bytes, lengths, count, list);
     mt_free(bytes);
     mt_free(lengths);
+    for (int i = 0; i < char_count && status == MT_OK; i++)
+        if (!mt_typeset_glyph(list, code_points[i], &glyph)) status = MT_NO_GLYPH;
+    if (status == MT_OK && made) status = made(user);
     if (status == MT_OK)
-        *instances = made;
+        *instances = list;
     else
-        mt_typesets_free(made, count);
+        mt_typesets_free(list, count);
     return status;
 }
 

@@ -2,7 +2,7 @@
 #ifndef MT_PICTURE_TYPESET_H
 #define MT_PICTURE_TYPESET_H
 
-#include "morphotype.h"
+#include "picture/picture.h"
 
 #include <cairo.h>
 #include <hb.h>
@@ -15,8 +15,11 @@ typedef struct mt_typeset {
     double ascent, descent; /* em, from the baseline; descent is positive */
 } mt_typeset;
 
-/* `count` instances, one for each T. MT_NO_MEMORY, and what mt_blend_fonts gives. */
-mt_status mt_typesets_new(mt_blend *blend, const double *at, int count, mt_typeset **instances);
+/* Instances of some characters, one for each T; sets the blend's characters to these. Once they are made `made` is called,
+ * unless NULL, and what it returns is returned. MT_NO_GLYPH when one of the fonts lacks a character, MT_NO_MEMORY, and what
+ * mt_blend_fonts gives. */
+mt_status mt_typesets_new(mt_blend *blend, const uint32_t *code_points, int char_count, const double *at,
+                          int count, mt_fonts_made made, void *user, mt_typeset **instances);
 void mt_typesets_free(mt_typeset *instances, int count); /* NULL is fine */
 
 /* The glyph of a code point; false when the font has none. */

@@ -25,10 +25,24 @@ mt_test_end mt_test_open_end(const char *path, const char *spec, float weight) {
     return end;
 }
 
+mt_status mt_test_font_glyphs(const mt_charset *charsets, int font_count, mt_arena *arena,
+                              mt_font_glyphs *glyphs) {
+    mt_font_glyphs made = {.font_count = font_count, .glyph_count = charsets->glyph_count};
+    for (int k = 0; k < font_count; k++) {
+        const mt_charset *charset = &charsets[k ? k - 1 : 0];
+        uint32_t *of = mt_arena_new(arena, (size_t)made.glyph_count, sizeof *of);
+        if (!of) return MT_NO_MEMORY;
+        for (int i = 0; i < made.glyph_count; i++) of[i] = k ? charset->glyphs[i].b : charset->glyphs[i].a;
+        made.of[k] = of;
+    }
+    *glyphs = made;
+    return MT_OK;
+}
+
 mt_status mt_test_positions(mt_font *const *fonts, const mt_charset *charsets, int count, int units,
                             mt_arena *arena, mt_positions **positions) {
     mt_font_glyphs glyphs;
-    mt_status status = mt_font_glyphs_make(charsets, count, arena, &glyphs);
+    mt_status status = mt_test_font_glyphs(charsets, count, arena, &glyphs);
     return status == MT_OK ? mt_positions_prepare(fonts, &glyphs, units, arena, positions) : status;
 }
 

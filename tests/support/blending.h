@@ -24,6 +24,10 @@ typedef struct mt_test_blend {
     mt_positions *positions;
 } mt_test_blend;
 
+/* charsets[k] pairs the first font's glyphs with those of font k + 1; all have the same glyphs of the first font.
+ * MT_NO_MEMORY. */
+mt_status mt_test_font_glyphs(const mt_charset *charsets, int font_count, mt_arena *arena,
+                              mt_font_glyphs *glyphs);
 /* The positions of `count` fonts; charsets[k] pairs the first with font k + 1. As mt_positions_prepare. */
 mt_status mt_test_positions(mt_font *const *fonts, const mt_charset *charsets, int count, int units,
                             mt_arena *arena, mt_positions **positions);

@@ -6,6 +6,7 @@
 #include "gpos/gpos.h"
 #include "sfnt/sfnt.h"
 #include "support/allocation.h"
+#include "support/blending.h"
 #include "support/check.h"
 #include "support/fonts.h"
 #include "support/random.h"
@@ -50,7 +51,7 @@ static mt_places at(const double *t) {
 
 static mt_font_glyphs glyphs_of(const mt_charset *charset, mt_arena *of) {
     mt_font_glyphs glyphs;
-    mt_assert_ok(mt_font_glyphs_make(charset, 2, of, &glyphs));
+    mt_assert_ok(mt_test_font_glyphs(charset, 2, of, &glyphs));
     return glyphs;
 }
 
