@@ -1,4 +1,5 @@
-/* Every limit and every tolerance, in one place, with its unit and its reason. */
+/* The limits that several files share, each with its unit and its reason. A tolerance of one algorithm stands at the top of its file,
+ * one of two files in the header of the lower one. */
 #ifndef MT_GEOMETRY_LIMITS_H
 #define MT_GEOMETRY_LIMITS_H
 
@@ -26,8 +27,8 @@ static inline double mt_grid_units(double thousandths) {
  * the crossing, or cross where the curves do not: there the tolerance is divided by this. */
 #define MT_OVERLAP_CARE 8
 
-/* Cells of one alignment's table (morph/align.c): stops of one ring times stops of the other, 9 bytes each. Two rings of
- * 4 000 stops are past anything drawn. */
+/* Cells of the table of one alignment (morph/align/align.c) or ring match (morph/divide/ring_matching.c): samples of one ring times
+ * samples of the other, 5 or 4 bytes each. Two rings of 4 000 samples are past anything drawn. */
 #define MT_ALIGNMENT_MAX (1 << 24)
 
 /* A file of hints: bytes, hints in it, and hints for one glyph. A person sets some ten for a glyph, and needs them for a few
