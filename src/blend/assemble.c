@@ -113,7 +113,8 @@ static mt_status start_drawing(mt_drawer *drawer, const mt_glyf *composite, mt_a
 }
 
 /* Whether two parts overlap, or touch. As mt_flatten and mt_union. */
-static mt_status parts_touch(const mt_glyf *composite, const mt_assembly *font, mt_arena *scratch, bool *touch) {
+static mt_status parts_touch(const mt_glyf *composite, const mt_assembly *font, mt_arena *scratch,
+                             bool *touch) {
     mt_drawer drawer = {.font = font};
     int apart = 0, together = 0;
     mt_status status = look_at_boxes(composite, font, scratch, touch);

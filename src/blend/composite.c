@@ -1,3 +1,6 @@
+/* Composites of a row: for each glyph, the references of the first font are matched with those of the second, these with
+ * those of the third, and so on. What a part may be is looked up in the new font's glyphs, sorted by what they are in the
+ * fonts, by as many fonts as were looked at so far. n references cost n² in each font. */
 #include "blend/composite.h"
 
 #include <math.h>

@@ -1,3 +1,5 @@
+/* A contour's points are rounded at every place, then thinned: a point goes only where it may go at all places, so that the
+ * contour has the same points at each. One place is the case of a static font. */
 #include "blend/contours.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* The glyph set, composites and layout of a row's new font; then every glyph of it, by the workers, to the sinks. */
 #include "blend/making.h"
 
 #include "glyphset/new_names.h"

@@ -1,3 +1,5 @@
+/* A master has at its place what a variable font has there: points on the straight lines between a glyph's own places, figures
+ * and kerning mixed of the two fonts around it. */
 #include "blend/masters.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Figures of the whole font mixed of two fonts'; dates; embedding bits, the stricter of both. */
 #include "blend/metadata.h"
 
 #include "source/panose.h"

@@ -1,3 +1,5 @@
+/* The sink for variable fonts. On its step a track has one segment of contours that move, or two of outlines that stay. Points
+ * move on straight lines; where a rotation or a displacement bends their way, on several lines one after the other. */
 #include "blend/outlines.h"
 
 #include "geometry/limits.h"

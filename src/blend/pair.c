@@ -1,3 +1,4 @@
+/* The one place where glyphs are read for a morph and where mt_morph_prepare is called. */
 #include "blend/pair.h"
 
 #include "geometry/limits.h"

@@ -1,3 +1,4 @@
+/* Warnings of two sources: each kind of them by itself, in lines of English. */
 #include "blend/review.h"
 
 #include <stdarg.h>

@@ -1,3 +1,4 @@
+/* GPOS and GDEF, HVAR and VVAR, MVAR: values at each font of the row, of which the tables' writers make deltas. */
 #include "blend/varying_tables.h"
 
 #include "blend/masters.h"

@@ -1,3 +1,5 @@
+/* Wanted characters are paired first, then all others, sequences, names and forms, since a glyph of A has one partner: the
+ * first that it gets. */
 #include "glyphset/font_pair.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* From a place to the two fonts around it. */
 #include "glyphset/places.h"
 
 mt_between mt_between_at(const mt_places *places, int i) {

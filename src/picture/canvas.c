@@ -1,3 +1,4 @@
+/* Cairo surfaces that write into memory. */
 #include "picture/canvas.h"
 
 #include "base/file.h"

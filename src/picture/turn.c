@@ -1,3 +1,4 @@
+/* Formula (5), the other way. */
 #include "picture/turn.h"
 
 #include <math.h>

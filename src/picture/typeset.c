@@ -1,3 +1,4 @@
+/* Fonts of a blend in memory, read by HarfBuzz: text shaped, measured and drawn with Cairo. */
 #include "picture/typeset.h"
 
 #include "base/memory.h"

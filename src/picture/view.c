@@ -1,3 +1,4 @@
+/* A prepared pair, or one glyph decomposed by itself. */
 #include "picture/view.h"
 
 #include "geometry/decompose.h"

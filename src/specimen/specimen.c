@@ -1,3 +1,4 @@
+/* The variable font made, with its figures; the page put together of its parts; the file. */
 #include "specimen/specimen.h"
 
 #include "base/base64.h"
