@@ -44,15 +44,10 @@ int mt_class_end(const mt_read_mark *marks, int count, int start) {
 
 /* A new subtable with room for that many. NULL when there is no memory. */
 static mt_attachment *add_attachment(mt_anchor_job *job, mt_anchor_lookup *lookup, int marks, int bases) {
-    if (lookup->attachment_count == lookup->attachment_room) {
-        int room = lookup->attachment_room ? 2 * lookup->attachment_room : 8;
-        mt_attachment *grown = mt_arena_new(job->arena, (size_t)room, sizeof *grown);
-        if (!grown) return NULL;
-        if (lookup->attachments)
-            memcpy(grown, lookup->attachments, (size_t)lookup->attachment_count * sizeof *grown);
-        lookup->attachments = grown;
-        lookup->attachment_room = room;
-    }
+    mt_attachment *grown = mt_arena_grow_list(job->arena, lookup->attachments, lookup->attachment_count,
+                                              &lookup->attachment_room, sizeof *grown);
+    if (!grown) return NULL;
+    lookup->attachments = grown;
     mt_attachment *made = &lookup->attachments[lookup->attachment_count];
     *made = (mt_attachment){.marks = mt_arena_new(job->arena, (size_t)marks, sizeof *made->marks),
                             .bases = mt_arena_new(job->arena, (size_t)bases, sizeof *made->bases)};

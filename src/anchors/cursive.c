@@ -5,14 +5,10 @@
 #include <string.h>
 
 static mt_cursive *add_cursive(mt_anchor_job *job, mt_anchor_lookup *lookup, int count) {
-    if (lookup->cursive_count == lookup->cursive_room) {
-        int room = lookup->cursive_room ? 2 * lookup->cursive_room : 4;
-        mt_cursive *grown = mt_arena_new(job->arena, (size_t)room, sizeof *grown);
-        if (!grown) return NULL;
-        if (lookup->cursives) memcpy(grown, lookup->cursives, (size_t)lookup->cursive_count * sizeof *grown);
-        lookup->cursives = grown;
-        lookup->cursive_room = room;
-    }
+    mt_cursive *grown = mt_arena_grow_list(job->arena, lookup->cursives, lookup->cursive_count,
+                                           &lookup->cursive_room, sizeof *grown);
+    if (!grown) return NULL;
+    lookup->cursives = grown;
     mt_cursive *made = &lookup->cursives[lookup->cursive_count];
     *made = (mt_cursive){.glyphs = mt_arena_new(job->arena, (size_t)count, sizeof *made->glyphs)};
     return made->glyphs ? made : NULL;

@@ -35,6 +35,18 @@ void *mt_new(size_t count, size_t size) {
     return memory;
 }
 
+/* What a full list of that room grows to. */
+static int more_room(int room) {
+    return room ? 2 * room : 16;
+}
+
+void *mt_grow_list(void *list, int count, int *room, size_t size) {
+    if (count < *room) return list;
+    void *grown = mt_grow(list, (size_t)more_room(*room), size);
+    if (grown) *room = more_room(*room);
+    return grown;
+}
+
 void mt_free(void *memory) {
     if (memory) atomic_load (&resize)(memory, 0);
 }
@@ -98,6 +110,14 @@ void *mt_arena_new(mt_arena *arena, size_t count, size_t size) {
     if (!block) return NULL;
     arena->current = block;
     return take(block, bytes);
+}
+
+void *mt_arena_grow_list(mt_arena *arena, void *list, int count, int *room, size_t size) {
+    if (count < *room) return list;
+    void *grown = mt_arena_new(arena, (size_t)more_room(*room), size);
+    if (!grown) return NULL;
+    *room = more_room(*room);
+    return count ? memcpy(grown, list, (size_t)count * size) : grown;
 }
 
 void mt_arena_reset(mt_arena *arena) {

@@ -19,6 +19,9 @@ void mt_memory_replace(mt_resize resize); /* NULL goes back to the C library's *
 void *mt_new(size_t count, size_t size);
 /* `memory` grown or shrunk to count × size bytes; on NULL `memory` is as it was. New bytes are not zeroed. */
 void *mt_grow(void *memory, size_t count, size_t size);
+/* A list of `count` items of `size` bytes, which has room for one more: as it is, or where *room is used up moved to twice that.
+ * On NULL list and room are as they were. */
+void *mt_grow_list(void *list, int count, int *room, size_t size);
 void mt_free(void *memory); /* NULL is fine */
 char *mt_copy_text(const char *text);
 
@@ -29,6 +32,8 @@ typedef struct mt_arena {
 
 /* count × size bytes, zeroed, aligned for any type; belongs to the arena. */
 void *mt_arena_new(mt_arena *arena, size_t count, size_t size);
+/* As mt_grow_list, in the arena, where the old list stays. */
+void *mt_arena_grow_list(mt_arena *arena, void *list, int count, int *room, size_t size);
 void mt_arena_reset(mt_arena *arena);   /* everything made in it is gone; its blocks stay */
 void mt_arena_release(mt_arena *arena); /* the blocks too */
 

@@ -12,13 +12,10 @@ typedef struct mt_filling {
 
 static mt_status make_room(mt_filling *filling) {
     mt_gsub_subtable *subtable = filling->subtable;
-    if (subtable->count < filling->room) return MT_OK;
-    int room = filling->room ? 2 * filling->room : 16;
-    mt_substitution *list = mt_arena_new(filling->reader->arena, (size_t)room, sizeof *list);
+    mt_substitution *list = mt_arena_grow_list(filling->reader->arena, subtable->list, subtable->count,
+                                               &filling->room, sizeof *list);
     if (!list) return MT_NO_MEMORY;
-    if (subtable->count) memcpy(list, subtable->list, (size_t)subtable->count * sizeof *list);
     subtable->list = list;
-    filling->room = room;
     return MT_OK;
 }
 

@@ -6,14 +6,10 @@
 #include "layout/lookup_builder.h"
 
 mt_status mt_gsub_add_part(mt_gsub_parts *parts, size_t at, bool is_old) {
-    if (parts->count == parts->room) {
-        int room = parts->room ? 2 * parts->room : 64;
-        mt_gsub_part *list = mt_arena_new(parts->arena, (size_t)room, sizeof *list);
-        if (!list) return MT_NO_MEMORY;
-        if (parts->count) memcpy(list, parts->list, (size_t)parts->count * sizeof *list);
-        parts->list = list;
-        parts->room = room;
-    }
+    mt_gsub_part *list =
+        mt_arena_grow_list(parts->arena, parts->list, parts->count, &parts->room, sizeof *list);
+    if (!list) return MT_NO_MEMORY;
+    parts->list = list;
     parts->list[parts->count++] = (mt_gsub_part){at, is_old};
     return MT_OK;
 }

@@ -85,13 +85,9 @@ static bool read_place(const char *word, mt_hint_place *place) {
 /* ---- lines --------------------------------------------------------------------------------------------- */
 
 static mt_status add(mt_hint_table *table, mt_hint_line line) {
-    if (table->count == table->room) {
-        int room = table->room ? 2 * table->room : 64;
-        mt_hint_line *lines = mt_grow(table->lines, (size_t)room, sizeof *lines);
-        if (!lines) return MT_NO_MEMORY;
-        table->lines = lines;
-        table->room = room;
-    }
+    mt_hint_line *lines = mt_grow_list(table->lines, table->count, &table->room, sizeof *lines);
+    if (!lines) return MT_NO_MEMORY;
+    table->lines = lines;
     table->lines[table->count++] = line;
     return MT_OK;
 }

@@ -78,14 +78,10 @@ mt_status mt_subtables_add(mt_table *table, mt_arena *arena, mt_subtables *subta
     mt_bytes kept;
     mt_status status = mt_table_keep(table, arena, &kept);
     if (status != MT_OK) return status;
-    if (subtables->count == subtables->room) {
-        int room = subtables->room ? 2 * subtables->room : 8;
-        mt_bytes *grown = mt_arena_new(arena, (size_t)room, sizeof *grown);
-        if (!grown) return MT_NO_MEMORY;
-        if (subtables->list) memcpy(grown, subtables->list, (size_t)subtables->count * sizeof *grown);
-        subtables->list = grown;
-        subtables->room = room;
-    }
+    mt_bytes *grown =
+        mt_arena_grow_list(arena, subtables->list, subtables->count, &subtables->room, sizeof *grown);
+    if (!grown) return MT_NO_MEMORY;
+    subtables->list = grown;
     subtables->list[subtables->count++] = kept;
     return MT_OK;
 }
@@ -121,14 +117,10 @@ mt_status mt_members_of(const mt_layout *layout, int lookup, mt_arena *arena, mt
 }
 
 mt_status mt_lookup_builders_add(mt_lookup_builders *made, const mt_lookup_builder *lookup, mt_arena *arena) {
-    if (made->count == made->room) {
-        int room = made->room ? 2 * made->room : 16;
-        mt_lookup_builder *grown = mt_arena_new(arena, (size_t)room, sizeof *grown);
-        if (!grown) return MT_NO_MEMORY;
-        if (made->count) memcpy(grown, made->lookups, (size_t)made->count * sizeof *grown);
-        made->lookups = grown;
-        made->room = room;
-    }
+    mt_lookup_builder *grown =
+        mt_arena_grow_list(arena, made->lookups, made->count, &made->room, sizeof *grown);
+    if (!grown) return MT_NO_MEMORY;
+    made->lookups = grown;
     made->lookups[made->count++] = *lookup;
     return MT_OK;
 }

@@ -111,14 +111,9 @@ static bool is_same(const mt_feature_job *job, const mt_feature_job *other, mt_m
 
 static mt_status add_member(mt_feature_job *job, mt_member member, mt_arena *arena) {
     mt_lookup_builder *head = &job->head;
-    int room = job->member_room ? 2 * job->member_room : 8;
-    mt_member *members = (mt_member *)head->members;
-    if (head->member_count == job->member_room) {
-        members = mt_arena_new(arena, (size_t)room, sizeof *members);
-        if (!members) return MT_NO_MEMORY;
-        if (head->member_count) memcpy(members, head->members, (size_t)head->member_count * sizeof *members);
-        job->member_room = room;
-    }
+    mt_member *members = mt_arena_grow_list(arena, (mt_member *)head->members, head->member_count,
+                                            &job->member_room, sizeof *members);
+    if (!members) return MT_NO_MEMORY;
     members[head->member_count++] = member;
     head->members = members;
     return MT_OK;

@@ -64,13 +64,10 @@ mt_status mt_designspace_begin(const char *path, const mt_axis_map *map, mt_desi
 
 static mt_status add_master(mt_designspace *designspace, const mt_font_data *data, int place,
                             struct mt_master **added) {
-    if (designspace->count == designspace->room) {
-        int room = designspace->room ? 2 * designspace->room : 8;
-        struct mt_master *grown = mt_grow(designspace->masters, (size_t)room, sizeof *grown);
-        if (!grown) return MT_NO_MEMORY;
-        designspace->masters = grown;
-        designspace->room = room;
-    }
+    struct mt_master *grown =
+        mt_grow_list(designspace->masters, designspace->count, &designspace->room, sizeof *grown);
+    if (!grown) return MT_NO_MEMORY;
+    designspace->masters = grown;
     struct mt_master *master = &designspace->masters[designspace->count++];
     *master = (struct mt_master){.value = mt_axis_value(place),
                                  .family = mt_copy_text(data->family),

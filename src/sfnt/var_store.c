@@ -43,13 +43,9 @@ static mt_status find_data(mt_var_store *store, const mt_var_data *kind, int *nu
         return MT_OK;
     }
     if (store->data_count == DATA_MAX) return MT_TOO_LARGE;
-    if (store->data_count == store->data_room) {
-        int room = store->data_room ? 2 * store->data_room : 4;
-        mt_var_data *grown = mt_grow(store->data, (size_t)room, sizeof *grown);
-        if (!grown) return MT_NO_MEMORY;
-        store->data = grown;
-        store->data_room = room;
-    }
+    mt_var_data *grown = mt_grow_list(store->data, store->data_count, &store->data_room, sizeof *grown);
+    if (!grown) return MT_NO_MEMORY;
+    store->data = grown;
     store->data[store->data_count] = *kind;
     *number = store->data_count++;
     return MT_OK;
@@ -75,13 +71,9 @@ static mt_status place_row(mt_var_store *store, const int32_t *deltas, uint32_t 
 }
 
 static mt_status keep_index(mt_var_store *store, int row, uint32_t index) {
-    if (row >= store->index_room) {
-        int room = store->index_room ? 2 * store->index_room : 64;
-        uint32_t *grown = mt_grow(store->indices, (size_t)room, sizeof *grown);
-        if (!grown) return MT_NO_MEMORY;
-        store->indices = grown;
-        store->index_room = room;
-    }
+    uint32_t *grown = mt_grow_list(store->indices, row, &store->index_room, sizeof *grown);
+    if (!grown) return MT_NO_MEMORY;
+    store->indices = grown;
     store->indices[row] = index;
     return MT_OK;
 }

@@ -20,14 +20,10 @@ static int in_order(const void *p, const void *q) {
 
 static mt_status add(mt_sequence_reading *reading, mt_variation_sequence variant) {
     mt_variation_sequences *variants = &reading->variants;
-    if (variants->count == reading->room) {
-        int room = reading->room ? 2 * reading->room : 64;
-        mt_variation_sequence *list = mt_arena_new(reading->arena, (size_t)room, sizeof *list);
-        if (!list) return MT_NO_MEMORY;
-        if (variants->count) memcpy(list, variants->list, (size_t)variants->count * sizeof *list);
-        variants->list = list;
-        reading->room = room;
-    }
+    mt_variation_sequence *list =
+        mt_arena_grow_list(reading->arena, variants->list, variants->count, &reading->room, sizeof *list);
+    if (!list) return MT_NO_MEMORY;
+    variants->list = list;
     variants->list[variants->count++] = variant;
     return MT_OK;
 }
