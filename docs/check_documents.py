@@ -3,8 +3,8 @@
     check_documents.py PROGRAM
 
 Links lead to files and headings that are there. A path between back quotes is a file of the repository, of src/ or of
-src/morph/, and a name that begins with mt_ or MT_ stands in src/ or tests/. docs/guide.md has every command of PROGRAM and
-every option of each.
+src/morph/, and so are the files in architecture.md's table of rooms. A name that begins with mt_ or MT_ stands in src/ or
+tests/. docs/guide.md has every command of PROGRAM and every option of each.
 """
 
 import pathlib
@@ -50,6 +50,18 @@ def check_paths(text):
             yield f'no file {name}'
 
 
+def check_files(text):
+    """The rows | room | files | purpose |, of which an empty room is that of the row above."""
+    room = ''
+    section = text.partition('\n## Files\n')[2].partition('\n## ')[0].partition('|---')[2]
+    for first, files in re.findall(r'^\| ([^|]*) ?\| ([^|]+) \|[^|]+\|$', section, flags=re.M):
+        room = re.sub('[`–]', '', first).strip() or room
+        for name in re.findall(r'`([^`]+)`', files):
+            stem = name.removeprefix(room).rstrip('/')
+            if not [*(ROOT / 'src' / room).glob(f'{stem}*')]:
+                yield f'no file {room}{stem}'
+
+
 def check_names(text, source):
     for name in set(re.findall(r'\bmt_\w+|\bMT_\w+', text)):
         if not re.search(rf'\b{name}\b', source):
@@ -75,6 +87,8 @@ failures = []
 for document in DOCUMENTS:
     text = document.read_text(encoding='utf-8')
     found = [*check_links(document, text), *check_paths(prose_of(text)), *check_names(text, source)]
+    if document.name == 'architecture.md':
+        found += check_files(text)
     if document.name == 'guide.md':
         found += check_guide(text)
     failures += [f'{document.relative_to(ROOT)}: {failure}' for failure in found]
