@@ -10,8 +10,8 @@
 
 /* A glyph of the new font, to be found by what it is in each font. */
 typedef struct mt_sorted_glyph {
-    const mt_font_glyphs *fonts;
-    int glyph;
+    const uint32_t *of;
+    int font_count, glyph;
 } mt_sorted_glyph;
 
 typedef struct mt_finder {
@@ -30,44 +30,33 @@ typedef struct mt_part {
 
 /* ---- the glyph of several others ----------------------------------------------------------------------- */
 
-static int compare_to(const mt_sorted_glyph *sorted, const uint32_t *of, int font_count) {
-    for (int k = 0; k < font_count; k++) {
-        uint32_t own = sorted->fonts->of[k][sorted->glyph];
-        if (own != of[k]) return own < of[k] ? -1 : 1;
-    }
-    return 0;
-}
-
+/* Compares what they are in as many fonts as the first of them knows. */
 static int by_fonts(const void *p, const void *q) {
     const mt_sorted_glyph *x = p, *y = q;
-    for (int k = 0; k < x->fonts->font_count; k++) {
-        uint32_t in_x = x->fonts->of[k][x->glyph], in_y = y->fonts->of[k][y->glyph];
-        if (in_x != in_y) return in_x < in_y ? -1 : 1;
-    }
+    for (int k = 0; k < x->font_count; k++)
+        if (x->of[k] != y->of[k]) return x->of[k] < y->of[k] ? -1 : 1;
     return 0;
 }
 
 static mt_status sort_glyphs(mt_finder *finder) {
-    size_t count = (size_t)finder->glyphs->glyph_count;
+    size_t count = (size_t)finder->glyphs->glyph_count, fonts = (size_t)finder->glyphs->font_count;
+    uint32_t *of = mt_arena_new(&finder->scratch, count, fonts * sizeof *of);
     finder->sorted = mt_arena_new(&finder->scratch, count, sizeof *finder->sorted);
-    if (!finder->sorted) return MT_NO_MEMORY;
-    for (size_t i = 0; i < count; i++) finder->sorted[i] = (mt_sorted_glyph){finder->glyphs, (int)i};
+    if (!of || !finder->sorted) return MT_NO_MEMORY;
+    for (size_t i = 0; i < count; i++, of += fonts) {
+        for (size_t k = 0; k < fonts; k++) of[k] = finder->glyphs->of[k][i];
+        finder->sorted[i] = (mt_sorted_glyph){of, (int)fonts, (int)i};
+    }
     qsort(finder->sorted, count, sizeof *finder->sorted, by_fonts);
     return MT_OK;
 }
 
 /* A glyph of the new font that is `of` in the first `font_count` fonts; -1 where there is none. */
 static int find_glyph(const mt_finder *finder, const uint32_t *of, int font_count) {
-    for (int low = 0, high = finder->glyphs->glyph_count; low < high;) {
-        int middle = low + (high - low) / 2;
-        int order = compare_to(&finder->sorted[middle], of, font_count);
-        if (order == 0) return finder->sorted[middle].glyph;
-        if (order < 0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return -1;
+    const mt_sorted_glyph key = {of, font_count, 0};
+    const mt_sorted_glyph *found =
+        bsearch(&key, finder->sorted, (size_t)finder->glyphs->glyph_count, sizeof key, by_fonts);
+    return found ? found->glyph : -1;
 }
 
 /* ---- one glyph ----------------------------------------------------------------------------------------- */

@@ -5,23 +5,17 @@
 #include "base/memory.h"
 #include "geometry/limits.h"
 
-/* One hint, until hints[] has it. */
-typedef struct mt_index_entry {
+/* The two glyphs that a hint is for, and where it stands. */
+typedef struct mt_hint_key {
     uint32_t a, b;
     int line;
-    mt_hint hint;
-} mt_index_entry;
-
-/* A pair of glyphs that has hints: hints[first] … hints[first + count - 1]. */
-typedef struct mt_hinted {
-    uint32_t a, b;
-    int first, count;
-} mt_hinted;
+    mt_hint hint; /* until hints[] has it */
+} mt_hint_key;
 
 struct mt_hint_index {
     int count;
-    mt_hinted *pairs; /* by a, then b */
-    mt_hint *hints;
+    mt_hint_key *keys; /* by a, then b, then line */
+    mt_hint *hints;    /* of each key */
 };
 
 /* ---- the grid ------------------------------------------------------------------------------------------ */
@@ -46,65 +40,55 @@ static mt_status bad(int line, const char *reason, mt_hint_error *error) {
     return MT_BAD_HINTS;
 }
 
-/* Fills entries[] with the hints for characters that both fonts have. */
-static mt_status gather(const mt_hint_table *table, const mt_font *a, const mt_font *b,
-                        mt_index_entry *entries, int *count, mt_hint_error *error) {
-    *count = 0;
+/* Fills keys[] with the hints for characters that both fonts have. */
+static mt_status gather(const mt_hint_table *table, const mt_font *a, const mt_font *b, mt_hint_index *index,
+                        mt_hint_error *error) {
     for (int i = 0; i < table->count; i++) {
         const mt_hint_line *line = &table->lines[i];
-        mt_index_entry entry = {.line = line->line, .hint.kind = line->kind};
-        entry.a = mt_font_glyph(a, line->code_point);
-        entry.b = mt_font_glyph(b, line->code_point);
-        if (entry.a == 0 || entry.b == 0) continue;
-        if (!scale(line->a, a, &entry.hint.a)) return bad(line->line, "over 32 em in the first font", error);
-        if (!scale(line->b, b, &entry.hint.b)) return bad(line->line, "over 32 em in the second font", error);
-        entries[(*count)++] = entry;
+        mt_hint_key key = {.line = line->line, .hint.kind = line->kind};
+        key.a = mt_font_glyph(a, line->code_point);
+        key.b = mt_font_glyph(b, line->code_point);
+        if (key.a == 0 || key.b == 0) continue;
+        if (!scale(line->a, a, &key.hint.a)) return bad(line->line, "over 32 em in the first font", error);
+        if (!scale(line->b, b, &key.hint.b)) return bad(line->line, "over 32 em in the second font", error);
+        index->keys[index->count++] = key;
     }
     return MT_OK;
 }
 
-static int by_glyphs(const void *a, const void *b) {
-    const mt_index_entry *x = a, *y = b;
+static int by_glyphs(const void *p, const void *q) {
+    const mt_hint_key *x = p, *y = q;
     if (x->a != y->a) return x->a < y->a ? -1 : 1;
     if (x->b != y->b) return x->b < y->b ? -1 : 1;
     return (x->line > y->line) - (x->line < y->line);
 }
 
-/* Lays sorted entries out by pairs. */
-static mt_status group(const mt_index_entry *entries, int count, mt_hint_index *index, mt_hint_error *error) {
-    mt_hinted *pair = NULL;
-    for (int i = 0; i < count; i++) {
-        const mt_index_entry *entry = &entries[i];
-        if (!pair || pair->a != entry->a || pair->b != entry->b) {
-            pair = &index->pairs[index->count++];
-            *pair = (mt_hinted){.a = entry->a, .b = entry->b, .first = i};
-        }
-        if (pair->count == MT_GLYPH_HINTS_MAX) return bad(entry->line, "too many hints for one glyph", error);
-        index->hints[i] = entry->hint;
-        pair->count++;
-    }
-    return MT_OK;
+static bool are_for_the_same(const mt_hint_key *x, const mt_hint_key *y) {
+    return x->a == y->a && x->b == y->b;
 }
 
-static mt_status fill(const mt_hint_table *table, const mt_font *a, const mt_font *b, mt_index_entry *entries,
-                      mt_hint_index *index, mt_hint_error *error) {
-    int count;
-    mt_status status = gather(table, a, b, entries, &count, error);
+static mt_status fill(const mt_hint_table *table, const mt_font *a, const mt_font *b, mt_hint_index *index,
+                      mt_hint_error *error) {
+    mt_status status = gather(table, a, b, index, error);
     if (status != MT_OK) return status;
-    if (count > 0) qsort(entries, (size_t)count, sizeof *entries, by_glyphs);
-    return group(entries, count, index, error);
+    if (index->count > 0) qsort(index->keys, (size_t)index->count, sizeof *index->keys, by_glyphs);
+    for (int i = 0; i < index->count; i++) {
+        const mt_hint_key *key = &index->keys[i];
+        if (i >= MT_GLYPH_HINTS_MAX && are_for_the_same(key, key - MT_GLYPH_HINTS_MAX))
+            return bad(key->line, "too many hints for one glyph", error);
+        index->hints[i] = key->hint;
+    }
+    return MT_OK;
 }
 
 mt_status mt_hint_index_new(const mt_hint_table *table, const mt_font *a, const mt_font *b,
                             mt_hint_index **index, mt_hint_error *error) {
     size_t count = (size_t)table->count;
     mt_hint_index *made = mt_new(1, sizeof *made);
-    mt_index_entry *entries = mt_new(count, sizeof *entries);
-    if (made) made->pairs = mt_new(count, sizeof *made->pairs);
+    if (made) made->keys = mt_new(count, sizeof *made->keys);
     if (made) made->hints = mt_new(count, sizeof *made->hints);
-    bool had = made && entries && made->pairs && made->hints;
-    mt_status status = had ? fill(table, a, b, entries, made, error) : MT_NO_MEMORY;
-    mt_free(entries);
+    bool had = made && made->keys && made->hints;
+    mt_status status = had ? fill(table, a, b, made, error) : MT_NO_MEMORY;
     if (status == MT_OK)
         *index = made;
     else
@@ -114,21 +98,22 @@ mt_status mt_hint_index_new(const mt_hint_table *table, const mt_font *a, const 
 
 void mt_hint_index_free(mt_hint_index *index) {
     if (!index) return;
-    mt_free(index->pairs);
+    mt_free(index->keys);
     mt_free(index->hints);
     mt_free(index);
 }
 
-static int at_glyphs(const void *key, const void *pair) {
-    const mt_hinted *x = key, *y = pair;
-    if (x->a != y->a) return x->a < y->a ? -1 : 1;
-    return (x->b > y->b) - (x->b < y->b);
-}
-
 mt_hints mt_hint_index_find(const mt_hint_index *index, uint32_t a, uint32_t b) {
-    if (!index) return (mt_hints){0, NULL};
-    mt_hinted key = {.a = a, .b = b};
-    const mt_hinted *found =
-        bsearch(&key, index->pairs, (size_t)index->count, sizeof *index->pairs, at_glyphs);
-    return found ? (mt_hints){found->count, index->hints + found->first} : (mt_hints){0, NULL};
+    const mt_hint_key key = {.a = a, .b = b, .line = -1};
+    int first = 0, end = index ? index->count : 0, count = 0;
+    while (first < end) {
+        int middle = first + (end - first) / 2;
+        if (by_glyphs(&index->keys[middle], &key) < 0)
+            first = middle + 1;
+        else
+            end = middle;
+    }
+    while (index && first + count < index->count && are_for_the_same(&index->keys[first + count], &key))
+        count++;
+    return count ? (mt_hints){count, index->hints + first} : (mt_hints){0, NULL};
 }
