@@ -1,11 +1,12 @@
 /* The joint method with one set of settings after the other, until the topology of the in-betweens is right (check/topology.h).
  *
  *     settings 0 ── joined ── error 0 ──▶ taken (most glyphs)
- *                       └──── error 4 ── repaired: reconnect, separate, counters ── error 1 ──▶ best so far
+ *                       └──── error 4 ── repaired: reconnect, separate ── error 1 ──▶ best so far
  *     settings 1 ── joined as with settings 0 ──▶ skipped
  *     settings 2 ── joined ── error 0 ──▶ taken
  *
- * The one with the least error is taken, the first of equals. Work is counted in corners of blends looked at, and ends at MT_EFFORT, so
+ * The one with the least error is taken, the first of equals; where holes open in it, they are closed last, since other settings
+ * mostly keep them closed and closing takes long. Work is counted in corners of blends looked at, and ends at MT_EFFORT, so
  * that the result does not depend on the machine. Alignments are kept in one cache for all settings. O(MT_EFFORT log MT_EFFORT) for
  * the checks, and up to 14 divisions and joins. */
 #include "morph/trials.h"
@@ -41,12 +42,11 @@ static mt_status join(const mt_morph *matched, const mt_join_context *context, m
     return status == MT_OK ? mt_map_pieces(joined, context->params, arena) : status;
 }
 
-/* Repairs the topology: reconnects parts that separate, separates parts that touch, keeps counters closed. */
+/* Repairs the topology: reconnects parts that separate, separates parts that touch. */
 static mt_status repair(mt_mending *m) {
     mt_status status = mt_mend_begin(m);
     if (status == MT_OK && m->error.parts > 0) status = mt_reconnect_parts(m);
     if (status == MT_OK && m->error.merged > 0) status = mt_separate_parts(m);
-    if (status == MT_OK && m->error.opened > 0) status = mt_keep_counters(m);
     return status;
 }
 
@@ -86,28 +86,25 @@ static bool is_better(mt_topology_error tried, mt_topology_error best) {
 }
 
 mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
-    mt_morph best = *morph;
-    mt_topology_error least = {.parts = INT_MAX, .ink = INFINITY};
     mt_trials trials = {0, mt_arena_new(arena, (size_t)mt_settings_count(), sizeof(mt_morph))};
     mt_alignment_cache *cache = mt_arena_new(arena, 1, sizeof *cache);
-    int64_t effort = MT_EFFORT;
+    mt_mending best = {morph, params, arena, {.parts = INT_MAX, .ink = INFINITY}, MT_EFFORT};
     if (!cache || !trials.morphs) return MT_NO_MEMORY;
-    for (int i = 0; i < mt_settings_count() && least.parts > 0 && effort > 0; i++) {
+    for (int i = 0; i < mt_settings_count() && mt_mend_goes_on(&best); i++) {
         mt_join_context context = {hints, params, mt_settings_at(i, params)};
         context.settings.cache = cache;
-        mt_morph *tried = &trials.morphs[trials.count];
-        mt_status status = join(morph, &context, arena, tried);
+        mt_mending tried = best;
+        tried.morph = &trials.morphs[trials.count];
+        mt_status status = join(morph, &context, arena, tried.morph);
         if (status != MT_OK) return status;
-        if (was_tried(&trials, tried)) continue;
+        if (was_tried(&trials, tried.morph)) continue;
         trials.count++;
-        mt_mending m = {.morph = tried, .params = params, .arena = arena, .effort = effort};
-        status = repair(&m);
+        status = repair(&tried);
         if (status != MT_OK) return status;
-        effort = m.effort;
-        if (!is_better(m.error, least)) continue;
-        least = m.error;
-        best = *tried;
+        best.effort = tried.effort;
+        if (is_better(tried.error, best.error)) best = tried;
     }
-    *morph = best;
-    return MT_OK;
+    mt_status status = best.error.opened > 0 ? mt_keep_counters(&best) : MT_OK;
+    if (status == MT_OK) *morph = *best.morph;
+    return status;
 }
