@@ -117,11 +117,9 @@ static mt_status take_pieces(mt_faces *faces, mt_arena *arena, mt_pieces *pieces
  * rest. */
 static bool keeps_promise(const mt_component *component, const mt_pieces *pieces) {
     int64_t area2 = 0;
-    for (int i = 0; i < pieces->count; i++) {
-        if (!mt_ring_is_convex(&pieces->rings[i])) return false;
-        area2 += mt_ring_area2(&pieces->rings[i]);
-    }
-    return area2 == mt_component_area2(component) && pieces->count <= 2 * mt_reflex_count(component) + 1;
+    for (int i = 0; i < pieces->count; i++) area2 += mt_ring_area2(&pieces->rings[i]);
+    return mt_pieces_is_valid(pieces) && area2 == mt_component_area2(component) &&
+           pieces->count <= 2 * mt_reflex_count(component) + 1;
 }
 
 mt_status mt_decompose(const mt_component *component, mt_arena *arena, mt_pieces *pieces) {

@@ -9,6 +9,7 @@
  *      line   run ╰╯ run
  *
  * Invariant: a contour passes through the ends of all runs. O(n) for n vertices, but for mt_spline. */
+#include <assert.h>
 #include <math.h>
 
 #include "geometry/limits.h"
@@ -112,6 +113,20 @@ mt_status mt_fit(const mt_rings *rings, double chord, double tolerance, mt_arena
         if (status != MT_OK) return status;
         made.count++;
     }
+    assert(mt_outline_is_valid(&made));
     *outline = made;
     return MT_OK;
+}
+
+bool mt_contour_is_valid(const mt_contour *contour) {
+    bool valid = contour->count >= 1;
+    for (int i = 0; valid && i < contour->count; i++)
+        valid = contour->segments[i].degree >= 1 && contour->segments[i].degree <= 3;
+    return valid;
+}
+
+bool mt_outline_is_valid(const mt_outline *outline) {
+    bool valid = outline->count >= 0;
+    for (int i = 0; valid && i < outline->count; i++) valid = mt_contour_is_valid(&outline->contours[i]);
+    return valid;
 }

@@ -5,6 +5,7 @@
  *
  * the distance between curve and chords is at most ε: for n = 2 the bound is exact, for n = 3 it is Wang's.
  * The points lie on the curve, rounded to the grid. Invariant: no two neighbouring points are equal. O(chords). */
+#include <assert.h>
 #include <math.h>
 
 #include "geometry/limits.h"
@@ -139,6 +140,7 @@ static mt_status flatten_contour(const mt_contour *contour, double tolerance, mt
         ring->count--;
         ring->marks[0] |= ring->marks[ring->count] & MT_POINT_MARKS;
     }
+    assert(mt_ring_is_valid(ring));
     return MT_OK;
 }
 

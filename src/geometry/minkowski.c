@@ -9,6 +9,7 @@
  * straight line. Invariant: the sum is convex, but for rounding to the grid. O(n + m). */
 #include "geometry/minkowski.h"
 
+#include <assert.h>
 #include <math.h>
 
 mt_weights mt_weights_at(double t) {
@@ -115,6 +116,7 @@ void mt_minkowski(const mt_ring *p, const mt_ring *q, mt_weights weights, mt_rin
         sum->count--;
         sum->marks[0] |= sum->marks[sum->count] & MT_POINT_MARKS;
     }
+    assert(mt_ring_is_valid(sum));
 }
 
 int mt_minkowski_corners(const mt_ring *p, const mt_ring *q, mt_corner *corners) {

@@ -34,4 +34,8 @@ mt_status mt_flatten(const mt_outline *outline, double tolerance, mt_arena *aren
  * flattened with: it tells a chord from a line. Seams (MT_SEAM_WIDTH) are left out. MT_NO_MEMORY. */
 mt_status mt_fit(const mt_rings *rings, double chord, double tolerance, mt_arena *arena, mt_outline *outline);
 
+/* Whether each segment has a degree of 1 to 3, and a contour at least one; an outline's contours alike. Linear. */
+bool mt_contour_is_valid(const mt_contour *contour);
+bool mt_outline_is_valid(const mt_outline *outline);
+
 #endif

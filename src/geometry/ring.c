@@ -195,3 +195,38 @@ int mt_convex_hull(mt_point *points, int n, mt_point *hull) {
     }
     return count > 1 ? count - 1 : count;
 }
+
+/* ---- invariants ---------------------------------------------------------------------------------------- */
+
+bool mt_ring_is_valid(const mt_ring *ring) {
+    bool valid = ring->count >= 0 && (ring->count == 0 || (ring->points && ring->marks));
+    for (int i = 0; valid && i < ring->count; i++) {
+        mt_point p = ring->points[i];
+        valid = abs(p.x) <= 4 * MT_COORD_MAX && abs(p.y) <= 4 * MT_COORD_MAX &&
+                !(ring->marks[i] & ~(MT_POINT_MARKS | MT_EDGE_MARKS));
+    }
+    return valid;
+}
+
+bool mt_component_is_valid(const mt_component *component) {
+    bool valid = component->count >= 1;
+    for (int i = 0; valid && i < component->count; i++) {
+        const mt_ring *ring = &component->rings[i];
+        valid = ring->count >= 3 && mt_ring_is_valid(ring) && (mt_ring_area2(ring) > 0) == (i == 0) &&
+                mt_ring_area2(ring) != 0;
+    }
+    return valid;
+}
+
+bool mt_shape_is_valid(const mt_shape *shape) {
+    bool valid = shape->count >= 0;
+    for (int k = 0; valid && k < shape->count; k++) valid = mt_component_is_valid(&shape->components[k]);
+    return valid;
+}
+
+bool mt_pieces_is_valid(const mt_pieces *pieces) {
+    bool valid = pieces->count >= 0;
+    for (int i = 0; valid && i < pieces->count; i++)
+        valid = mt_ring_is_valid(&pieces->rings[i]) && mt_ring_is_convex(&pieces->rings[i]);
+    return valid;
+}

@@ -87,4 +87,12 @@ bool mt_ring_is_convex(const mt_ring *ring);
  * room for n + 1. Returns how many. `points` is sorted on return. */
 int mt_convex_hull(mt_point *points, int n, mt_point *hull);
 
+/* Whether the struct keeps its invariants, in linear time, asserted where it is made. A ring: points within four times
+ * MT_COORD_MAX, as sums and displacements reach, and known marks. A component: rings of three points or more, the outer
+ * one's area positive, the holes' negative. A shape: its components' invariants. Pieces: convex rings. */
+bool mt_ring_is_valid(const mt_ring *ring);
+bool mt_component_is_valid(const mt_component *component);
+bool mt_shape_is_valid(const mt_shape *shape);
+bool mt_pieces_is_valid(const mt_pieces *pieces);
+
 #endif

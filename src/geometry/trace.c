@@ -8,6 +8,7 @@
  * vertices, unless the bound forbids it; a line's are its own direction. O(n). */
 #include "geometry/trace.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "geometry/limits.h"
@@ -63,6 +64,7 @@ mt_status mt_trace_ring(const mt_ring *ring, double chord, mt_arena *arena, mt_t
     measure(&made);
     for (int i = 0; i < ring->count; i++) made.corner[i] = is_corner(&made, i);
     for (int i = 0; i < ring->count; i++) made.line[i] = is_line(&made, i);
+    assert(mt_trace_is_valid(&made));
     *t = made;
     return MT_OK;
 }
@@ -121,4 +123,13 @@ double mt_trace_out(const mt_trace *t, int i) {
 double mt_trace_in(const mt_trace *t, int i) {
     int h = mt_trace_before(t, i);
     return along_edge(t, h, t->corner[i] ? corner_heading(t, h, h) : smooth_heading(t, i));
+}
+
+bool mt_trace_is_valid(const mt_trace *t) {
+    bool valid = mt_ring_is_valid(&t->ring) && t->ring.count >= 3;
+    for (int i = 0; valid && i < t->ring.count; i++) {
+        bool straight = t->corner[i] && t->corner[mt_trace_after(t, i)];
+        valid = t->length[i] >= 0 && fabs(t->turn[i]) <= M_PI && (t->line[i] || !straight);
+    }
+    return valid;
 }

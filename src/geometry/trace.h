@@ -35,4 +35,7 @@ bool mt_trace_extremum(const mt_trace *trace, int i);
 double mt_trace_out(const mt_trace *trace, int i);
 double mt_trace_in(const mt_trace *trace, int i);
 
+/* Whether lengths are not negative, turns at most π, and edges between two corners lines. Linear. */
+bool mt_trace_is_valid(const mt_trace *trace);
+
 #endif

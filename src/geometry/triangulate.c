@@ -485,6 +485,22 @@ mt_status mt_triangulate(const mt_component *component, mt_arena *arena, mt_mesh
     for (int i = 0, first = 0; status == MT_OK && i < component->count; first += component->rings[i++].count)
         status = force_ring(&w, first, component->rings[i].count);
     if (status == MT_OK) status = keep_ink(&w, &made);
+    assert(status != MT_OK || mt_mesh_is_valid(&made));
     if (status == MT_OK) *mesh = made;
     return status;
+}
+
+bool mt_mesh_is_valid(const mt_mesh *mesh) {
+    bool valid = mesh->triangle_count >= 0;
+    for (int e = 0; valid && e < 3 * mesh->triangle_count; e++)
+        valid = mesh->start[e] >= 0 && mesh->start[e] < mesh->vertex_count;
+    for (int e = 0; valid && e < 3 * mesh->triangle_count; e++) {
+        int after = mt_mesh_after(e), twin = mesh->twin[e];
+        valid = mt_orient(mesh->points[mesh->start[e]], mesh->points[mesh->start[after]],
+                          mesh->points[mesh->start[mt_mesh_after(after)]]) > 0;
+        if (twin < 0) continue;
+        valid = valid && twin < 3 * mesh->triangle_count && mesh->twin[twin] == e &&
+                mesh->start[twin] == mesh->start[after] && mesh->start[mt_mesh_after(twin)] == mesh->start[e];
+    }
+    return valid;
 }

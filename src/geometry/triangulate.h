@@ -27,4 +27,7 @@ static inline int mt_mesh_after(int e) {
  * MT_BAD_GEOMETRY when rings cross. */
 mt_status mt_triangulate(const mt_component *component, mt_arena *arena, mt_mesh *mesh);
 
+/* Whether triangles are anticlockwise with area, twins are mutual, and both run between the same vertices. Linear. */
+bool mt_mesh_is_valid(const mt_mesh *mesh);
+
 #endif

@@ -5,6 +5,7 @@
  * two grid units. Invariants: the order of rings and points is that of their places, whatever Clipper's; the only rounding is that of
  * crossings. O(n log n) for marks, and Clipper's O((n + k) log n) for k crossings. */
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <new>
 #include <polyclipping/clipper.hpp>
@@ -157,6 +158,7 @@ extern "C" mt_status mt_union_unmarked(const mt_rings *rings, mt_rule rule, mt_a
     clipper.Execute(ctUnion, tree, filled, filled);
     mt_shape made;
     mt_status status = shape_of(tree, arena, &made);
+    assert(status != MT_OK || mt_shape_is_valid(&made));
     if (status == MT_OK) *shape = made;
     return status;
 } catch (const clipperException &) {

@@ -7,6 +7,8 @@
  * the caller's shapes. The cost is that of the trials, or of the triangulations with the paper's method. */
 #include "morph/prepare.h"
 
+#include <assert.h>
+
 #include "geometry/limits.h"
 #include "geometry/union.h"
 #include "morph/paper/pieces.h"
@@ -92,6 +94,7 @@ mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints 
     if (status != MT_OK) return status;
     bool joint = a->count > 0 && params->method == MT_METHOD_JOINT;
     status = joint ? mt_join_best(&made, &turned, params, arena) : mt_map_pieces(&made, params, arena);
+    assert(status != MT_OK || mt_morph_is_valid(&made));
     if (status == MT_OK) *morph = made;
     return status;
 }

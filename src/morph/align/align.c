@@ -11,6 +11,7 @@
  * rings; the rings are put in an order of their own first, so that swapping them swaps the result. O(STARTS · n · m). */
 #include "morph/align/align.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -216,6 +217,7 @@ static mt_status align(const mt_ring_samples *samples_a, mt_box box_a, const mt_
         read_back(&grid, &made);
     }
     made.cost = (double)least / (a.count + b.count);
+    assert(mt_alignment_is_valid(&made));
     *alignment = made;
     return MT_OK;
 }
@@ -274,4 +276,22 @@ mt_status mt_pins_of(const mt_hints *hints, const mt_ring_samples *a, const mt_r
         if (fmax(in_a, in_b) <= mt_grid_units(PIN_REACH)) pins->links[pins->count++] = pin;
     }
     return MT_OK;
+}
+
+/* ---- invariants ---------------------------------------------------------------------------------------- */
+
+static bool advances(int from, int to, int *rounds) {
+    *rounds += to < from;
+    return to == from || to == from + 1 || to == 0;
+}
+
+bool mt_alignment_is_valid(const mt_alignment *alignment) {
+    int rounds_a = 0, rounds_b = 0;
+    bool valid = alignment->count >= 1;
+    for (int k = 0; valid && k < alignment->count; k++) {
+        mt_link p = alignment->steps[k], q = alignment->steps[(k + 1) % alignment->count];
+        bool stays = p.a == q.a && p.b == q.b && alignment->count > 1;
+        valid = advances(p.a, q.a, &rounds_a) && advances(p.b, q.b, &rounds_b) && !stays;
+    }
+    return valid && rounds_a <= 1 && rounds_b <= 1;
 }

@@ -23,4 +23,7 @@ mt_status mt_align(const mt_ring_samples *a, mt_box box_a, const mt_ring_samples
 mt_status mt_pins_of(const mt_hints *hints, const mt_ring_samples *a, const mt_ring_samples *b,
                      mt_arena *arena, mt_links *pins);
 
+/* Whether each step advances one ring or both, by one sample, and each ring goes once around. Linear. */
+bool mt_alignment_is_valid(const mt_alignment *alignment);
+
 #endif

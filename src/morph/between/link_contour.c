@@ -7,6 +7,8 @@
  * Invariant: at r = 1 the contour is P, at r = 0 Q, within the tolerance. O(n + m) for n and m vertices, but for mt_spline. */
 #include "morph/between/link_contour.h"
 
+#include <assert.h>
+
 #include "geometry/spline.h"
 #include "morph/align/align.h"
 
@@ -89,6 +91,7 @@ mt_status mt_link_contour(const mt_ring *p, const mt_ring *q, double flatness, d
         if (status != MT_OK) return status;
         done += count;
     }
+    assert(mt_contour_pair_is_valid(&made));
     *masters = made;
     return MT_OK;
 }

@@ -8,6 +8,7 @@
  * contours, and segments of the same degrees, in both masters. O(n) for n segments, but for the links' fits and the seams. */
 #include "morph/between/variable_outline.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "geometry/limits.h"
@@ -33,6 +34,7 @@ mt_status mt_variable_outline_make(const mt_morph *morph, const mt_params *param
         if (status != MT_OK) return status;
     }
     mt_status status = mt_overlap_seams(morph, mt_grid_units(SEAM_OVERLAP), arena, &made);
+    assert(status != MT_OK || mt_variable_outline_is_valid(&made));
     if (status == MT_OK) *variable = made;
     return status;
 }

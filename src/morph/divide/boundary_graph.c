@@ -10,6 +10,7 @@
  * O(n log n) for n samples in practice, as the triangulation is; with jumps O(n²) between components near to one another. */
 #include "morph/divide/boundary_graph.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "geometry/limits.h"
@@ -271,6 +272,26 @@ mt_status mt_boundary_of(const mt_shape *shape, mt_box box, const mt_settings *s
     for (int c = 0; status == MT_OK && c < shape->count; c++)
         status = add_component(&shape->components[c], c, settings->flatness, step, arena, &made);
     if (status == MT_OK) status = add_chords(&made, reach, settings->jumps, arena);
+    assert(status != MT_OK || mt_boundary_is_valid(&made));
     if (status == MT_OK) *boundary = made;
     return status;
+}
+
+/* ---- invariants -------------------------------------------------------------------------------------------------- */
+
+static bool is_numbering(const int *first, int count, int total) {
+    bool valid = first[0] == 0 && first[count] == total;
+    for (int i = 0; valid && i < count; i++) valid = first[i] <= first[i + 1];
+    return valid;
+}
+
+bool mt_boundary_is_valid(const mt_boundary *b) {
+    bool valid = is_numbering(b->first_sample, b->component_count, b->count) &&
+                 is_numbering(b->first_of_ring, b->ring_count, b->count) &&
+                 is_numbering(b->first_chord, b->count, b->first_chord[b->count]);
+    for (int i = 0; valid && i < b->count; i++)
+        for (int k = b->first_chord[i]; valid && k < b->first_chord[i + 1]; k++)
+            valid = b->chords[k].to >= 0 && b->chords[k].to < b->count && b->chords[k].to != i &&
+                    b->chords[k].cost > 0;
+    return valid;
 }

@@ -53,4 +53,7 @@ double mt_chord_length(const mt_boundary *boundary, int chord);
 /* The ring that a sample is on. */
 int mt_boundary_ring(const mt_boundary *boundary, int sample);
 
+/* Whether samples, rings and chords are numbered consecutively, and chords lead to other samples at a positive cost. Linear. */
+bool mt_boundary_is_valid(const mt_boundary *boundary);
+
 #endif

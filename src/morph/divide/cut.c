@@ -10,6 +10,8 @@
  * ring alone of a part runs anticlockwise. O(t) for t triangles, and O(t) more for each part. */
 #include "morph/divide/cut.h"
 
+#include <assert.h>
+
 typedef struct mt_cutting {
     const mt_cut_plan *plan;
     mt_arena *arena;
@@ -54,12 +56,13 @@ static int next_on_border(const mt_cutting *k, int e) {
     return e;
 }
 
-static mt_status trace_border(mt_cutting *k, int first, mt_ring *ring) {
+/* The border from half-edge `first` on: all of its vertices, or those that were drawn or end a cut. */
+static mt_status trace_vertices(mt_cutting *k, int first, bool all, mt_ring *ring) {
     const mt_mesh *mesh = k->plan->mesh;
     int count = 0, e = first;
     do {
         k->traced[e] = true;
-        count += k->plan->drawn[mesh->start[e]] || k->end[mesh->start[e]];
+        count += all || k->plan->drawn[mesh->start[e]] || k->end[mesh->start[e]];
         e = next_on_border(k, e);
     } while (e != first);
     mt_status status = mt_ring_new(k->arena, count, ring);
@@ -67,13 +70,25 @@ static mt_status trace_border(mt_cutting *k, int first, mt_ring *ring) {
     int made = 0;
     do {
         int v = mesh->start[e];
-        if (k->plan->drawn[v] || k->end[v]) {
+        if (all || k->plan->drawn[v] || k->end[v]) {
             uint8_t marks = k->plan->cut[e] ? MT_LINE : mesh->marks[e];
             ring->points[made] = mesh->points[v];
             ring->marks[made++] = k->end[v] ? marks | MT_CORNER : marks;
         }
         e = next_on_border(k, e);
     } while (e != first);
+    return MT_OK;
+}
+
+/* A vertex that divides a long edge lies beside that edge by rounding, so that a sliver may consist of such vertices alone: where the
+ * drawn ones do not run around the same side, all are taken. */
+static mt_status trace_border(mt_cutting *k, int first, mt_ring *ring) {
+    mt_ring whole;
+    mt_status status = trace_vertices(k, first, true, &whole);
+    if (status == MT_OK) status = trace_vertices(k, first, false, ring);
+    if (status != MT_OK) return status;
+    int64_t area2 = mt_ring_area2(ring);
+    if (area2 == 0 || (area2 > 0) != (mt_ring_area2(&whole) > 0)) *ring = whole;
     return MT_OK;
 }
 
@@ -110,6 +125,7 @@ mt_status mt_cut(const mt_cut_plan *plan, mt_arena *arena, mt_shape *parts, int 
     made.components = mt_arena_new(arena, (size_t)made.count, sizeof(mt_component));
     if (!made.components) return MT_NO_MEMORY;
     for (int i = 0; status == MT_OK && i < made.count; i++) status = take_part(&k, i, &made.components[i]);
+    assert(status != MT_OK || mt_shape_is_valid(&made));
     if (status == MT_OK) *parts = made;
     return status;
 }

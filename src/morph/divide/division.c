@@ -12,6 +12,7 @@
  * Invariants: parts have the ink of their side; partners are mutual. O(n m) for the matches, O(k²) alignments for k parts a round. */
 #include "morph/divide/division.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "geometry/inside.h"
@@ -381,5 +382,15 @@ mt_status mt_divide(const mt_side *a, const mt_side *b, const mt_hints *hints, c
     if (status != MT_OK) return status;
     *cut_a = sides[0].made;
     *cut_b = sides[1].made;
+    assert(mt_cut_side_is_valid(cut_a, cut_b) && mt_cut_side_is_valid(cut_b, cut_a));
     return MT_OK;
+}
+
+bool mt_cut_side_is_valid(const mt_cut_side *cut, const mt_cut_side *other) {
+    bool valid = mt_shape_is_valid(&cut->parts);
+    for (int i = 0; valid && i < cut->parts.count; i++) {
+        int partner = cut->partner[i];
+        valid = partner < 0 || (partner < other->parts.count && other->partner[partner] == i);
+    }
+    return valid;
 }

@@ -17,4 +17,7 @@ typedef struct mt_cut_side {
 mt_status mt_divide(const mt_side *a, const mt_side *b, const mt_hints *hints, const mt_settings *settings,
                     mt_arena *arena, mt_cut_side *cut_a, mt_cut_side *cut_b);
 
+/* Whether the parts are a valid shape, and each partner is mutual. Linear. */
+bool mt_cut_side_is_valid(const mt_cut_side *cut, const mt_cut_side *other);
+
 #endif

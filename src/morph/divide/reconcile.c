@@ -9,6 +9,7 @@
  * their side; partners are mutual. O(ROUNDS) divisions. */
 #include "morph/divide/reconcile.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "geometry/inside.h"
@@ -169,5 +170,6 @@ mt_status mt_reconcile(const mt_side *a, const mt_side *b, const mt_hints *hints
     if (status != MT_OK) return status;
     *cut_a = made[0];
     *cut_b = made[1];
+    assert(mt_cut_side_is_valid(cut_a, cut_b) && mt_cut_side_is_valid(cut_b, cut_a));
     return MT_OK;
 }

@@ -11,6 +11,7 @@
  * sample of the ring is in the match, in order; the first step is the last. O(n m) for n and m samples, 4 n m bytes. */
 #include "morph/divide/ring_matching.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "geometry/limits.h"
@@ -396,5 +397,16 @@ mt_status mt_match_ring(const mt_boundary *from, int ring, const mt_boundary *to
     match->steps = mt_arena_new(arena, (size_t)match->count, sizeof *match->steps);
     if (!match->steps) return MT_NO_MEMORY;
     read_path(&t, first.there, match->steps, match->count);
+    assert(mt_ring_match_is_valid(match));
     return MT_OK;
+}
+
+bool mt_ring_match_is_valid(const mt_ring_match *match) {
+    bool valid = match->count >= 2 && match->cost >= 0;
+    for (int k = 0; valid && k < match->count; k++) {
+        mt_match_step step = match->steps[k], last = match->steps[k ? k - 1 : match->count - 1];
+        bool same = step.here == last.here && step.there == last.there;
+        valid = k ? !same && (step.chord < 0 || step.here == last.here) : same;
+    }
+    return valid;
 }

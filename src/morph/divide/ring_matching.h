@@ -22,4 +22,7 @@ mt_status mt_match_ring(const mt_boundary *from, int ring, const mt_boundary *to
                         const mt_cost_weights *weights, const mt_match_step *start, mt_arena *arena,
                         mt_ring_match *match);
 
+/* Whether it is closed, steps differ, and a step over a chord stays at its sample of the ring. Linear. */
+bool mt_ring_match_is_valid(const mt_ring_match *match);
+
 #endif

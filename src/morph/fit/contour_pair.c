@@ -11,6 +11,7 @@
  * Invariant: both masters have as many segments, of the same degrees. O(n) for n steps, but for mt_spline. */
 #include "morph/fit/contour_pair.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "geometry/limits.h"
@@ -238,6 +239,7 @@ mt_status mt_contour_pair_fit(const mt_ring_samples *a, const mt_ring_samples *b
     status = mt_contour_pair_smooth(&made, STRAIGHT_SHARE * tolerance, arena);
     if (status == MT_OK) status = track_of(&f, arena, &track);
     if (status == MT_OK) status = mt_chains_smooth(&track, steps, tolerance, arena, &made);
+    assert(status != MT_OK || mt_contour_pair_is_valid(&made));
     if (status == MT_OK) *masters = made;
     return status;
 }

@@ -8,6 +8,7 @@
  * O(h²) alignments for h holes, again after each slit. */
 #include "morph/join/holes.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "geometry/decompose.h"
@@ -66,6 +67,7 @@ mt_status mt_close_ring(const mt_ring *ring, bool in_a, const mt_closing *c, mt_
     for (int i = 0; i < shut.count; i++)
         shut.segments[i] = (mt_segment){open.segments[i].degree, {point}, point};
     *masters = in_a ? (mt_contour_pair){.a = open, .b = shut} : (mt_contour_pair){.a = shut, .b = open};
+    assert(mt_contour_pair_is_valid(masters));
     return MT_OK;
 }
 

@@ -50,4 +50,13 @@ typedef struct mt_variable_outline {
     mt_contour_pair *contours; /* of B turned by -degrees, as in the morph */
 } mt_variable_outline;
 
+/* Whether the struct keeps its invariants, in linear time, asserted where it is made. Links: within the counts, ordered, no
+ * two alike. A side: its shapes' and pieces' invariants; an aligned component has no pieces, any other has some. A contour
+ * pair: as many segments of the same degrees, 1 or 2. A variable outline and a morph: those of their members. */
+bool mt_links_is_valid(const mt_links *links, int count_a, int count_b);
+bool mt_side_is_valid(const mt_side *side);
+bool mt_contour_pair_is_valid(const mt_contour_pair *pair);
+bool mt_variable_outline_is_valid(const mt_variable_outline *outline);
+bool mt_morph_is_valid(const mt_morph *morph);
+
 #endif

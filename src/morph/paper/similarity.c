@@ -3,6 +3,7 @@
  * v, and so m, lies in 0 … 1. O(n log n) for the hull of n points, O(1) for a similarity. */
 #include "morph/paper/similarity.h"
 
+#include <assert.h>
 #include <math.h>
 
 /* A place relative to the rectangle, 0 … 1 on each axis. */
@@ -29,6 +30,7 @@ mt_status mt_hull_of(const mt_component *component, mt_box box, mt_arena *arena,
     double longer = fmax(mt_box_width(box), mt_box_height(box));
     hull->area = (double)mt_ring_area2(&ring) / (2 * longer * longer);
     mt_arena_rewind(arena, before);
+    assert(mt_hull_is_valid(hull));
     return MT_OK;
 }
 
@@ -58,4 +60,11 @@ static double alike_in_box(const mt_hull *h1, const mt_hull *h2) {
 double mt_similarity(const mt_hull *h1, const mt_hull *h2, const double weights[3]) {
     return weights[0] * alike_in_place(h1, h2) + weights[1] * alike_in_area(h1, h2) +
            weights[2] * alike_in_box(h1, h2);
+}
+
+bool mt_hull_is_valid(const mt_hull *hull) {
+    bool valid = hull->area >= 0;
+    for (int i = 0; i < 2; i++)
+        valid = valid && hull->low[i] <= hull->centre[i] && hull->centre[i] <= hull->high[i];
+    return valid;
 }

@@ -19,4 +19,7 @@ mt_status mt_hull_of(const mt_component *component, mt_box box, mt_arena *arena,
  * docs/paper.md. */
 double mt_similarity(const mt_hull *h1, const mt_hull *h2, const double weights[3]);
 
+/* Whether the barycentre lies within the extremes, and the area is not negative. */
+bool mt_hull_is_valid(const mt_hull *hull);
+
 #endif
