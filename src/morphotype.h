@@ -14,8 +14,7 @@
  *
  * Every fallible call returns an mt_status and writes its result last, only when it returns MT_OK.
  * A handle that such a call hands out belongs to the caller, who gives it back with the matching close or
- * free. Handles are not locked: use one handle from one thread at a time.
- */
+ * free. Handles are not locked: use one handle from one thread at a time. */
 #ifndef MORPHOTYPE_H
 #define MORPHOTYPE_H
 
@@ -60,8 +59,7 @@ typedef enum mt_status {
 /* One line of English, without a full stop; static storage. */
 MT_API const char *mt_status_text(mt_status status);
 
-/* ---- fonts ------------------------------------------------------------------------------------------------
- */
+/* ---- fonts --------------------------------------------------------------------------------------------- */
 
 typedef struct mt_font mt_font;
 
@@ -77,8 +75,7 @@ MT_API const char *mt_font_style(const mt_font *font);
 /* The smallest code point that the font maps and that is at least `from`; false when there is none. */
 MT_API bool mt_font_next_char(const mt_font *font, uint32_t from, uint32_t *code_point);
 
-/* ---- blends -----------------------------------------------------------------------------------------------
- */
+/* ---- blends -------------------------------------------------------------------------------------------- */
 
 typedef enum mt_rotation {
     MT_ROTATION_NONE,  /* the paper's formula (4) */
@@ -170,8 +167,7 @@ MT_API mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, 
                                 void *user, double *advance);
 MT_API int mt_blend_units_per_em(const mt_blend *blend);
 
-/* ---- variable fonts ---------------------------------------------------------------------------------------
- */
+/* ---- variable fonts ------------------------------------------------------------------------------------ */
 
 /* One font that varies along an axis, MRPH from 0 (the first font, and the default) to 100 (the last), with the fonts in
  * between at even distances. Where the outlines of two neighbours need not be compatible, its contours are: each moves on
@@ -210,8 +206,7 @@ MT_API mt_status mt_variable_font(mt_variable *variable, uint8_t **bytes, size_t
  * MT_CANNOT_WRITE. */
 MT_API mt_status mt_variable_save(mt_variable *variable, const char *path);
 
-/* ---- hints ------------------------------------------------------------------------------------------------
- */
+/* ---- hints --------------------------------------------------------------------------------------------- */
 
 /* What a person has decided, by characters: which component goes with which, and which place on the boundary
  * with which. docs/guide.md has the format of the file. */

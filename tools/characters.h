@@ -1,6 +1,5 @@
 /* Sets of characters: of a text, of a file, of a font. */
-#ifndef CHARACTERS_H
-#define CHARACTERS_H
+#pragma once
 
 #include "morphotype.h"
 
@@ -27,5 +26,3 @@ void characters_describe(characters *set, int most, char *text, size_t room);
 
 /* Writes "A (U+0041)", or the code point alone where the character cannot be shown. */
 void character_describe(uint32_t code_point, char *text, size_t room);
-
-#endif

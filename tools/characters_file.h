@@ -6,13 +6,10 @@
  *     U+4E00-4E2F        ranges, both ends included; U+4E00-U+4E2F too
  *
  * U+0023 is a # and U+0020 a space. */
-#ifndef CHARACTERS_FILE_H
-#define CHARACTERS_FILE_H
+#pragma once
 
 #include "characters.h"
 
 /* Adds them to the set. On failure says why, with the file's name and line, and returns COULD_NOT; otherwise
  * DONE. */
 int characters_add_file(characters *set, const char *path);
-
-#endif

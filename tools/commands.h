@@ -1,6 +1,5 @@
 /* The subcommands: one file each. */
-#ifndef COMMANDS_H
-#define COMMANDS_H
+#pragma once
 
 #include "options.h"
 
@@ -11,5 +10,3 @@ extern const cli_command inspect_command;  /* inspect.c */
 extern const cli_command report_command;   /* report.c */
 extern const cli_command variable_command; /* variable.c */
 extern const cli_command specimen_command; /* specimen.c */
-
-#endif

@@ -1,6 +1,5 @@
 /* The file of --hints, what it says of the two fonts, and what is wrong with it. */
-#ifndef HINTS_FILE_H
-#define HINTS_FILE_H
+#pragma once
 
 #include "options.h"
 
@@ -10,5 +9,3 @@ int hints_read(const cli_options *options, mt_font *const *fonts, int count, mt_
 
 /* Says why the file's hints cannot be used, with its line on MT_BAD_HINTS, and gives COULD_NOT. */
 int hints_fail(const cli_options *options, mt_status status, const mt_hint_error *error);
-
-#endif

@@ -1,6 +1,5 @@
 /* What the program says on stderr: one line a message, with its name before it. */
-#ifndef MESSAGES_H
-#define MESSAGES_H
+#pragma once
 
 /* Exit codes. */
 enum { DONE = 0, COULD_NOT = 1, WRONG_USAGE = 2 };
@@ -13,5 +12,3 @@ __attribute__((format(printf, 1, 2))) int fail(const char *format, ...);
 
 /* Says it with a pointer to the help of `command` (NULL: of the program) and gives WRONG_USAGE. */
 __attribute__((format(printf, 2, 3))) int misuse(const char *command, const char *format, ...);
-
-#endif

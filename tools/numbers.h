@@ -1,6 +1,5 @@
 /* Numbers on the command line. */
-#ifndef NUMBERS_H
-#define NUMBERS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -13,5 +12,3 @@ int pairs_read(const char *text, double *firsts, double *seconds, int most);
 
 /* The shortest decimal that reads back as `value`, which is from 0 to 1. */
 void number_write(double value, char text[32]);
-
-#endif

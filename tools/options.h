@@ -1,6 +1,5 @@
 /* The command line after the subcommand's name. Options may stand before or after the fonts. */
-#ifndef OPTIONS_H
-#define OPTIONS_H
+#pragma once
 
 #include "morphotype.h"
 
@@ -44,5 +43,3 @@ void options_free(cli_options *options);
 /* Fills in options->at: the --at list, or `steps` (--steps before it) evenly spaced from 0 to 1. DONE or
  * COULD_NOT. */
 int options_spread(cli_options *options, int steps);
-
-#endif

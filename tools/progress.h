@@ -1,6 +1,5 @@
 /* A progress bar on stderr, where that is a terminal. */
-#ifndef PROGRESS_H
-#define PROGRESS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -13,5 +12,3 @@ progress progress_begin(bool quiet);
 /* `done` of `all` glyphs; an mt_progress, with a progress as its user data. */
 void progress_draw(int done, int all, void *user);
 void progress_erase(progress *bar);
-
-#endif

@@ -1,7 +1,6 @@
 /* What blend, strip, sheet and report have in common: two fonts or more, the characters asked for, and a blend that reports
  * on itself. */
-#ifndef WORK_H
-#define WORK_H
+#pragma once
 
 #include "characters.h"
 #include "options.h"
@@ -59,5 +58,3 @@ void work_end(cli_work *work);
 
 /* "A and B", or "A, B and C", as the fonts were given, for messages; cut where it does not fit. */
 void work_name(const cli_options *options, char *text, size_t room);
-
-#endif

@@ -9,8 +9,7 @@
  * mark's class. So each subtable here has one class of marks, and only the bases with an anchor for it: for
  * each class of A's in each class of B's one with anchors of both, and after these one with the anchors that
  * only A has. A third font divides each of these subtables in the same way, and so on. */
-#ifndef MT_ANCHORS_ANCHOR_H
-#define MT_ANCHORS_ANCHOR_H
+#pragma once
 
 #include "anchors/read.h"
 #include "glyphset/places.h"
@@ -65,5 +64,3 @@ typedef struct mt_anchors {
     int count;
     mt_anchor_lookup *lookups; /* in A's order; none is empty */
 } mt_anchors;
-
-#endif

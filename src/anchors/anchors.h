@@ -1,6 +1,5 @@
 /* The anchors of all fonts, lookup by lookup of A's. */
-#ifndef MT_ANCHORS_ANCHORS_H
-#define MT_ANCHORS_ANCHORS_H
+#pragma once
 
 #include "anchors/anchor.h"
 
@@ -8,5 +7,3 @@
  * left out; so is what comes after more work than any font needs (MT_ANCHOR_STEPS_MAX). MT_NO_MEMORY. */
 mt_status mt_anchors_prepare(const mt_anchor_source *sources, const mt_systems *systems,
                              const mt_font_glyphs *glyphs, int units, mt_arena *arena, mt_anchors *anchors);
-
-#endif

@@ -1,6 +1,5 @@
 /* One class of A's marks at work, as it is divided by what another font has for it. */
-#ifndef MT_ANCHORS_CLASS_H
-#define MT_ANCHORS_CLASS_H
+#pragma once
 
 #include "anchors/rivals.h"
 
@@ -21,5 +20,3 @@ int mt_class_end(const mt_read_mark *marks, int count, int start);
  * more of the attachments. MT_NO_MEMORY. */
 mt_status mt_class_divide(mt_anchor_job *job, int font, const mt_attachment *from, const mt_rivals *rivals,
                           mt_anchor_lookup *lookup);
-
-#endif

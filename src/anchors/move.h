@@ -1,8 +1,7 @@
 /* Where an anchor of A's goes that B has not: it moves with the outline. What lies within the box of A's
  * glyph keeps its relative place in the box of B's; what lies outside keeps its distance from the nearer
  * side. */
-#ifndef MT_ANCHORS_MOVE_H
-#define MT_ANCHORS_MOVE_H
+#pragma once
 
 #include "anchors/read.h"
 #include "glyphset/places.h"
@@ -24,5 +23,3 @@ mt_status mt_outline_moves_open(mt_font *a, mt_font *b, const mt_font_glyphs *gl
 /* The place in B's glyph, both in units of the new font; the same place where either glyph is blank, cannot
  * be read, or is not there. MT_NO_MEMORY. */
 mt_status mt_outline_move(mt_outline_moves *moves, int glyph, mt_anchor_point from, mt_anchor_point *to);
-
-#endif

@@ -1,7 +1,6 @@
 /* Anchors as they are written: whole units, those that are the same at all places only once; behind them what varies in
  * them (OpenType spec, "GPOS": Anchor table formats 1 and 3). */
-#ifndef MT_ANCHORS_POOL_H
-#define MT_ANCHORS_POOL_H
+#pragma once
 
 #include "anchors/anchor.h"
 #include "layout/value_write.h"
@@ -33,5 +32,3 @@ int mt_anchor_pool_find(const mt_anchor_pool *pool, mt_anchor anchor);
 int mt_anchor_pool_size(const mt_anchor_pool *pool);
 /* MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_anchor_pool_write(const mt_anchor_pool *pool, mt_table *table);
-
-#endif

@@ -1,8 +1,7 @@
 /* Anchors as a font has them (OpenType spec, "GPOS": lookup types 3 to 6). The mark attachment subtables are
  * alike: marks with a class and an anchor each, and for each base, component of a ligature, or mark that
  * bears marks, an anchor for each class. All three are bases here. */
-#ifndef MT_ANCHORS_READ_H
-#define MT_ANCHORS_READ_H
+#pragma once
 
 #include "layout/gdef_deltas.h"
 #include "layout/ot.h"
@@ -46,5 +45,3 @@ bool mt_attachment_base(const mt_attachment_table *table, int index, int compone
 mt_bytes mt_cursive_coverage(mt_bytes subtable);
 bool mt_cursive_anchor(mt_bytes subtable, int index, int side, const mt_gdef_deltas *variations,
                        mt_anchor_point *point);
-
-#endif

@@ -1,6 +1,5 @@
 /* What another font has for a lookup of A's. */
-#ifndef MT_ANCHORS_RIVALS_H
-#define MT_ANCHORS_RIVALS_H
+#pragma once
 
 #include "anchors/subtable.h"
 
@@ -13,5 +12,3 @@ typedef struct mt_rivals {
 /* The font's subtables of the type in the features and language systems that A's lookup is in: of
  * later lookups first, because those are applied last and so decide. In the arena. MT_NO_MEMORY. */
 mt_status mt_rivals_find(mt_anchor_job *job, int font, const mt_lookup_builder *lookup, mt_rivals *rivals);
-
-#endif

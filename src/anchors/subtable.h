@@ -1,6 +1,5 @@
 /* What the files that blend anchors share. */
-#ifndef MT_ANCHORS_SUBTABLE_H
-#define MT_ANCHORS_SUBTABLE_H
+#pragma once
 
 #include "anchors/anchor.h"
 #include "anchors/move.h"
@@ -43,5 +42,3 @@ mt_anchor mt_anchor_new(mt_anchor_job *job, mt_anchor from, int known, mt_arena 
 mt_anchor_point mt_anchor_scaled(const mt_anchor_job *job, int font, mt_anchor_point point);
 /* Moves the anchor with the outline of its glyph from A to another font. MT_NO_MEMORY. */
 mt_status mt_anchor_move(mt_anchor_job *job, int font, int glyph, mt_anchor anchor);
-
-#endif

@@ -1,11 +1,8 @@
 /* Anchors, static or varying, as GPOS lookups. */
-#ifndef MT_ANCHORS_WRITE_H
-#define MT_ANCHORS_WRITE_H
+#pragma once
 
 #include "anchors/anchor.h"
 
 /* Adds the lookups at these places to GPOS in the making. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_anchors_write(const mt_anchors *anchors, const mt_places *places, mt_arena *arena,
                            mt_lookup_builders *made);
-
-#endif

@@ -1,6 +1,5 @@
 /* Bytes that grow: what a picture or a JSON text is written into before it becomes a file. */
-#ifndef MT_BASE_BUFFER_H
-#define MT_BASE_BUFFER_H
+#pragma once
 
 #include "morphotype.h"
 
@@ -12,5 +11,3 @@ typedef struct mt_buffer {
 /* Adds `length` bytes at the end. On MT_NO_MEMORY the buffer is as it was. */
 mt_status mt_buffer_add(mt_buffer *buffer, const void *bytes, size_t length);
 void mt_buffer_free(mt_buffer *buffer); /* leaves an empty one */
-
-#endif

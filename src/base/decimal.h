@@ -1,6 +1,5 @@
 /* Decimal numbers in text, the same in every locale. */
-#ifndef MT_BASE_DECIMAL_H
-#define MT_BASE_DECIMAL_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -8,5 +7,3 @@
 /* Reads a decimal number without exponent, rounded to 16.16, and moves past it. False, without moving, where
  * there is none or where it is beyond 16.16. */
 bool mt_decimal_next(const char **text, int32_t *fixed);
-
-#endif

@@ -10,8 +10,7 @@
 
 #include "base/memory.h"
 
-/* ---- reading ----------------------------------------------------------------------------------------------
- */
+/* ---- reading ------------------------------------------------------------------------------------------- */
 
 /* Opens for reading what can be read to an end; -1 and errno otherwise. `expected` is its size, or 0 for a
  * pipe. */
@@ -82,8 +81,7 @@ mt_status mt_file_read(const char *path, size_t limit, uint8_t **bytes, size_t *
     return status;
 }
 
-/* ---- writing ----------------------------------------------------------------------------------------------
- */
+/* ---- writing ------------------------------------------------------------------------------------------- */
 
 /* Something that is no regular file must not be renamed over. */
 mt_status mt_file_check(const char *path) {

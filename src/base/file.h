@@ -1,6 +1,5 @@
 /* Files read whole, and files that appear whole or not at all. */
-#ifndef MT_BASE_FILE_H
-#define MT_BASE_FILE_H
+#pragma once
 
 #include <sys/types.h>
 
@@ -24,5 +23,3 @@ int mt_file_beside(const char *path, int (*make)(const char *name, mode_t mode),
 
 /* Writes all bytes to an open file and closes it; false, with errno, where that went wrong. */
 bool mt_file_fill(int file, const void *bytes, size_t length);
-
-#endif

@@ -1,6 +1,5 @@
 /* Directories that appear whole or not at all. */
-#ifndef MT_BASE_FOLDER_H
-#define MT_BASE_FOLDER_H
+#pragma once
 
 #include "morphotype.h"
 
@@ -30,5 +29,3 @@ void mt_folder_free(mt_folder *folder);
 
 /* Removes a folder that has its place. */
 void mt_folder_remove(const char *path);
-
-#endif

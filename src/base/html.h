@@ -1,6 +1,5 @@
 /* Text of any origin in a page of HTML. */
-#ifndef MT_BASE_HTML_H
-#define MT_BASE_HTML_H
+#pragma once
 
 #include "base/buffer.h"
 
@@ -11,5 +10,3 @@ bool mt_html_is_control(uint32_t code_point);
 mt_status mt_html_character(mt_buffer *text, uint32_t code_point);
 /* UTF-8, character by character; bytes that are none become U+FFFD. MT_NO_MEMORY. */
 mt_status mt_html_text(mt_buffer *text, const char *utf8);
-
-#endif

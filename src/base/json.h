@@ -1,7 +1,5 @@
-/* JSON (RFC 8259), written. Commas and indentation come by themselves; numbers look the same in every locale.
- */
-#ifndef MT_BASE_JSON_H
-#define MT_BASE_JSON_H
+/* JSON (RFC 8259), written. Commas and indentation come by themselves; numbers look the same in every locale. */
+#pragma once
 
 #include "base/buffer.h"
 
@@ -25,5 +23,3 @@ void mt_json_text(mt_json *json, const char *key,
                   const char *utf8); /* bytes that are no UTF-8 become U+FFFD */
 void mt_json_int(mt_json *json, const char *key, int64_t value);
 void mt_json_number(mt_json *json, const char *key, double value); /* to 9 decimals; |value| under 10^9 */
-
-#endif

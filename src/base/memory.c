@@ -6,8 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- the allocator ----------------------------------------------------------------------------------------
- */
+/* ---- the allocator ------------------------------------------------------------------------------------- */
 
 static void *system_resize(void *memory, size_t size) {
     if (size) return realloc(memory, size);
@@ -15,8 +14,7 @@ static void *system_resize(void *memory, size_t size) {
     return NULL;
 }
 
-/* The only state that outlives a call: which allocator is underneath. Tests set it before anything else runs.
- */
+/* The only state that outlives a call: which allocator is underneath. Tests set it before anything else runs. */
 static _Atomic(mt_resize) resize = system_resize;
 
 void mt_memory_replace(mt_resize replacement) {
@@ -57,8 +55,7 @@ char *mt_copy_text(const char *text) {
     return copy ? memcpy(copy, text, length) : NULL;
 }
 
-/* ---- arenas -----------------------------------------------------------------------------------------------
- */
+/* ---- arenas -------------------------------------------------------------------------------------------- */
 
 struct mt_block {
     mt_block *next;

@@ -3,15 +3,12 @@
  * An arena holds everything made for one glyph: allocate at will, free nothing, reset when the glyph is done.
  * Its blocks are kept between resets, so that after a few glyphs nothing is asked of the system any more. An
  * arena belongs to one thread. Sizes are checked before they are multiplied; a call that fails returns NULL
- * and changes nothing.
- */
-#ifndef MT_BASE_MEMORY_H
-#define MT_BASE_MEMORY_H
+ * and changes nothing. */
+#pragma once
 
 #include <stddef.h>
 
-/* The allocator underneath, replaceable by a test: `resize` is realloc's contract, with size 0 meaning free.
- */
+/* The allocator underneath, replaceable by a test: `resize` is realloc's contract, with size 0 meaning free. */
 typedef void *(*mt_resize)(void *memory, size_t size);
 void mt_memory_replace(mt_resize resize); /* NULL goes back to the C library's */
 
@@ -44,5 +41,3 @@ typedef struct mt_arena_place {
 } mt_arena_place;
 mt_arena_place mt_arena_mark(const mt_arena *arena);
 void mt_arena_rewind(mt_arena *arena, mt_arena_place place);
-
-#endif

@@ -1,6 +1,5 @@
 /* UTF-8 and UTF-16, one character at a time (Unicode 15, section 3.9). */
-#ifndef MT_BASE_UTF_H
-#define MT_BASE_UTF_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -16,5 +15,3 @@ int mt_utf8_put(uint32_t code_point, char bytes[4]);
 /* Reads one code point of big-endian UTF-16 at *at, which is under `length`, and moves past it. A surrogate
  * without its partner, or a single last byte, gives MT_REPLACEMENT. */
 uint32_t mt_utf16_next(const uint8_t *bytes, size_t length, size_t *at);
-
-#endif

@@ -1,7 +1,6 @@
 /* Numbered pieces of work shared among threads. Which thread does which is left to chance: whoever takes part
  * keeps its results by number, so that they do not depend on it. */
-#ifndef MT_BASE_WORKERS_H
-#define MT_BASE_WORKERS_H
+#pragma once
 
 #include "base/memory.h"
 #include "morphotype.h"
@@ -31,5 +30,3 @@ typedef struct mt_work {
 /* Runs the task for each number, on this thread and others; a thread that cannot be had is done without. Ends
  * early with the first status that is not MT_OK. */
 mt_status mt_work_run(const mt_work *work);
-
-#endif

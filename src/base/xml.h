@@ -2,8 +2,7 @@
  *
  * A document that could not grow has failed and takes nothing more; mt_xml_end tells. Text is UTF-8; characters that XML
  * 1.0 cannot hold are left out. */
-#ifndef MT_BASE_XML_H
-#define MT_BASE_XML_H
+#pragma once
 
 #include <libxml/xmlwriter.h>
 
@@ -35,5 +34,3 @@ void mt_plist_string(mt_xml *xml, const char *key, const char *text); /* nothing
 void mt_plist_integer(mt_xml *xml, const char *key, int64_t value);
 void mt_plist_real(mt_xml *xml, const char *key, double value);
 void mt_plist_bool(mt_xml *xml, const char *key, bool value);
-
-#endif

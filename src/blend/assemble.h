@@ -1,6 +1,5 @@
 /* A composite at one place between the fonts: references to glyphs that are made already, where these do not touch. */
-#ifndef MT_BLEND_ASSEMBLE_H
-#define MT_BLEND_ASSEMBLE_H
+#pragma once
 
 #include "blend/composite.h"
 #include "write/extent.h"
@@ -22,5 +21,3 @@ typedef struct mt_assembly {
  * or come to more than a glyph may have. MT_NO_MEMORY. */
 mt_status mt_composite_assemble(const mt_composite *composite, const mt_assembly *font, mt_arena *kept,
                                 mt_arena *scratch, mt_glyf *glyph, mt_extent *extent);
-
-#endif

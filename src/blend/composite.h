@@ -1,7 +1,6 @@
 /* Which glyphs of a row are built from others: those that all of its fonts build from the same parts; and where the parts
  * are at a place between the fonts. */
-#ifndef MT_BLEND_COMPOSITE_H
-#define MT_BLEND_COMPOSITE_H
+#pragma once
 
 #include "blend/row.h"
 #include "glyphset/places.h"
@@ -29,5 +28,3 @@ mt_status mt_composites_find(const mt_row *row, const mt_font_glyphs *glyphs, mt
 /* Where a reference is at a place between two fonts, whole units of the new font; false where a font cannot say so. */
 bool mt_reference_at(const mt_row *row, const mt_row_reference *reference, mt_between between, int units,
                      int16_t *dx, int16_t *dy);
-
-#endif

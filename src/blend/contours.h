@@ -1,6 +1,5 @@
 /* From outlines on the grid to 'glyf' contours in font units, at one place or at several at once. */
-#ifndef MT_BLEND_CONTOURS_H
-#define MT_BLEND_CONTOURS_H
+#pragma once
 
 #include "blend/pair.h"
 
@@ -29,5 +28,3 @@ mt_status mt_outline_glyf(const mt_outline *outline, int units, mt_arena *arena,
 
 /* Gives the glyph its metrics; vertical ones stop at the end of their range. MT_TOO_LARGE for an advance beyond its range. */
 mt_status mt_glyf_take_room(mt_glyph_room room, int units, mt_glyf *glyf);
-
-#endif

@@ -1,6 +1,5 @@
 /* A glyph of a variable font from its tracks on each step of the row. */
-#ifndef MT_BLEND_JOIN_H
-#define MT_BLEND_JOIN_H
+#pragma once
 
 #include "blend/outlines.h"
 
@@ -9,5 +8,3 @@
  * references. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_tracks_join(mt_making *making, const mt_outlines *outlines, int glyph, mt_glyf *glyf,
                          mt_glyph_path *path);
-
-#endif

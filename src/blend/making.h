@@ -8,8 +8,7 @@
  * after it, and one for the results. Sinks keep their results by step and glyph, so that they do not depend on who made
  * them or when; what they read besides is written before the work begins, or belongs to glyphs of a lower depth. Reading
  * from the fonts and calling the caller are under the row's lock. */
-#ifndef MT_BLEND_MAKING_H
-#define MT_BLEND_MAKING_H
+#pragma once
 
 #include "base/workers.h"
 #include "blend/composite.h"
@@ -77,5 +76,3 @@ typedef mt_status (*mt_font_ready)(const mt_font_data *data, int index, void *us
 /* Fills in what all fonts of the making have alike: glyph count, characters, glyph names, GSUB; for the sinks' `glyphs`. */
 mt_font_data mt_making_font(const mt_making *making, mt_glyf *glyphs);
 void mt_add_extra(mt_font_data *data, uint32_t tag, mt_bytes table); /* unless it is empty */
-
-#endif

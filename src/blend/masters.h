@@ -1,7 +1,6 @@
 /* The masters of a variable font: at each place that any of its glyphs has, a font that does not vary, with the same contours
  * and points as all others. */
-#ifndef MT_BLEND_MASTERS_H
-#define MT_BLEND_MASTERS_H
+#pragma once
 
 #include "blend/outlines.h"
 
@@ -11,5 +10,3 @@ mt_status mt_masters_make(const mt_making *making, const mt_outlines *outlines, 
 
 /* Gives `made` the room in the line that the glyph takes at a place. */
 void mt_glyph_room_at(const mt_glyf *glyph, const mt_glyph_path *path, int place, mt_glyf *made);
-
-#endif

@@ -1,6 +1,5 @@
 /* What a blended font says of itself: metrics, names and dates made from those of its two sources. */
-#ifndef MT_BLEND_METADATA_H
-#define MT_BLEND_METADATA_H
+#pragma once
 
 #include "write/font_data.h"
 
@@ -19,5 +18,3 @@ mt_status mt_metadata_names(const mt_font *a, const mt_font *b, double t, const 
  * `values` are what users set for each. A source's notices get less room where there are many. */
 mt_status mt_metadata_axis_names(mt_font *const *fonts, const double *values, int count, const char *family,
                                  mt_arena *arena, mt_font_data *data);
-
-#endif

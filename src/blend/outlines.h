@@ -1,7 +1,6 @@
 /* Moving contours: a sink that makes of each glyph, on each step of the row, contours whose points move on straight lines along
  * an axis. */
-#ifndef MT_BLEND_OUTLINES_H
-#define MT_BLEND_OUTLINES_H
+#pragma once
 
 #include "blend/contours.h"
 #include "blend/making.h"
@@ -24,5 +23,3 @@ mt_sink mt_outlines_sink(mt_outlines *outlines);
 
 /* Which fonts a place is between; that of a font belongs to the step that ends there. */
 mt_between mt_outlines_between(const mt_outlines *outlines, int step_count, int place);
-
-#endif

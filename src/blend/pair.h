@@ -1,7 +1,6 @@
 /* One glyph between two neighbours of a row: read from both fonts, its hints found, its morph prepared. Blends, variable
  * fonts, reports and inspections all take it from here; any place between the two is then asked of the morph. */
-#ifndef MT_BLEND_PAIR_H
-#define MT_BLEND_PAIR_H
+#pragma once
 
 #include "blend/row.h"
 #include "morph/model/morph.h"
@@ -42,5 +41,3 @@ static inline mt_glyph_room mt_room_between(const mt_glyph_room *a, const mt_gly
                            {(1 - t) * a->vertical.advance + t * b->vertical.advance,
                             (1 - t) * a->vertical.origin + t * b->vertical.origin}};
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* What a user should know of two fonts before the blend of them goes out. */
-#ifndef MT_BLEND_REVIEW_H
-#define MT_BLEND_REVIEW_H
+#pragma once
 
 #include "source/font.h"
 
@@ -8,5 +7,3 @@
  * source keeps for itself in `family` (unless NULL); colour, bitmap and math tables, which a blend has none of.
  * MT_NO_MEMORY. */
 mt_status mt_review(const mt_font *a, const mt_font *b, const char *family, mt_warning call, void *user);
-
-#endif

@@ -6,8 +6,7 @@
  *
  * Nothing of a row changes while fonts are made of it. `lock` is held while a font is read, because a FreeType face is not
  * for two threads, and while the caller is called, who is not asked to lock anything. */
-#ifndef MT_BLEND_ROW_H
-#define MT_BLEND_ROW_H
+#pragma once
 
 #include <pthread.h>
 
@@ -61,5 +60,3 @@ typedef struct mt_row_progress {
 void mt_row_pass_progress(int done, int all, void *user);
 /* Tells the caller, under the lock, that the glyph of a character could not be blended. */
 void mt_row_report(mt_row *row, uint32_t code_point, mt_status why);
-
-#endif

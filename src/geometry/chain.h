@@ -1,6 +1,5 @@
 /* Chains of quadratics through samples of two curves at once, smooth in every mix of the two. */
-#ifndef MT_GEOMETRY_CHAIN_H
-#define MT_GEOMETRY_CHAIN_H
+#pragma once
 
 #include "geometry/spline.h"
 
@@ -35,5 +34,3 @@ mt_status mt_chain_fit(const mt_run runs[MT_MASTERS_MAX], double tolerance, mt_a
 
 /* Node k of a chain, the start for k = 0 and the end for k = count. */
 mt_vec mt_chain_node(const mt_chain *chain, int master, int k);
-
-#endif

@@ -1,6 +1,5 @@
 /* Convex decomposition, section 2.1 of the paper. */
-#ifndef MT_GEOMETRY_DECOMPOSE_H
-#define MT_GEOMETRY_DECOMPOSE_H
+#pragma once
 
 #include "geometry/ring.h"
 
@@ -13,5 +12,3 @@ mt_status mt_decompose(const mt_component *component, mt_arena *arena, mt_pieces
 
 /* The number of reflex vertices (interior angle over 180°) of a component. */
 int mt_reflex_count(const mt_component *component);
-
-#endif

@@ -1,6 +1,5 @@
 /* The component of a shape that holds a place or is nearest to it; depth in the ink. */
-#ifndef MT_GEOMETRY_INSIDE_H
-#define MT_GEOMETRY_INSIDE_H
+#pragma once
 
 #include "geometry/ring.h"
 
@@ -11,5 +10,3 @@ int mt_component_at(const mt_shape *shape, mt_point place);
 bool mt_is_in_ink(const mt_shape *shape, mt_point place);
 /* Whether it is there at least `depth` grid units from the border. */
 bool mt_is_deep_in_ink(const mt_shape *shape, mt_point place, double depth);
-
-#endif

@@ -1,7 +1,6 @@
 /* The limits that several files share, each with its unit and its reason. A tolerance of one algorithm stands at the top of its file,
  * one of two files in the header of the lower one. */
-#ifndef MT_GEOMETRY_LIMITS_H
-#define MT_GEOMETRY_LIMITS_H
+#pragma once
 
 /* Grid units in the em. All geometry is in integers on this grid. 256 000 is a common multiple of 1000, 1024,
  * 2000 and 2048, so that nearly every font's own units fall on it exactly, and a unit of a 1000-unit em is
@@ -90,5 +89,3 @@ static inline double mt_grid_units(double thousandths) {
 
 /* Places between the ends at which an in-between's counts are looked at, evenly spaced. */
 #define MT_TOPOLOGY_STEPS 19
-
-#endif

@@ -1,6 +1,5 @@
 /* The weighted Minkowski sum of two convex pieces: rA ⊕ (1 - r)B, section 2.3 of the paper. */
-#ifndef MT_GEOMETRY_MINKOWSKI_H
-#define MT_GEOMETRY_MINKOWSKI_H
+#pragma once
 
 #include "geometry/ring.h"
 
@@ -30,5 +29,3 @@ typedef struct mt_corner {
 /* All of them, anticlockwise, into room for p->count + q->count; returns their number. From one to the next the vertex of p advances by
  * one, or that of q, or both. */
 int mt_minkowski_corners(const mt_ring *p, const mt_ring *q, mt_corner *corners);
-
-#endif

@@ -1,7 +1,6 @@
 /* Outlines as they are drawn: closed contours of lines, quadratic and cubic Béziers, on the grid.
  * flatten.c turns them into rings, fit.c turns rings back into contours of lines and quadratics. */
-#ifndef MT_GEOMETRY_OUTLINE_H
-#define MT_GEOMETRY_OUTLINE_H
+#pragma once
 
 #include "geometry/ring.h"
 
@@ -37,5 +36,3 @@ mt_status mt_fit(const mt_rings *rings, double chord, double tolerance, mt_arena
 /* Whether each segment has a degree of 1 to 3, and a contour at least one; an outline's contours alike. Linear. */
 bool mt_contour_is_valid(const mt_contour *contour);
 bool mt_outline_is_valid(const mt_outline *outline);
-
-#endif

@@ -1,7 +1,6 @@
 /* Points on the integer grid (limits.h: MT_EM grid units an em, |x| and |y| up to MT_COORD_MAX) and the two
  * exact predicates that all of geometry rests on. */
-#ifndef MT_GEOMETRY_POINT_H
-#define MT_GEOMETRY_POINT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -44,5 +43,3 @@ int mt_in_circle(mt_point a, mt_point b, mt_point c, mt_point d);
 static inline int64_t mt_distance2(mt_point a, mt_point b) {
     return mt_dot(a, b, a, b);
 }
-
-#endif

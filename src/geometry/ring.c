@@ -29,8 +29,7 @@ mt_status mt_shape_rings(const mt_shape *shape, mt_arena *arena, mt_rings *rings
     return MT_OK;
 }
 
-/* ---- areas and lengths ------------------------------------------------------------------------------------
- */
+/* ---- areas and lengths --------------------------------------------------------------------------------- */
 
 int64_t mt_ring_area2(const mt_ring *ring) {
     mt_wide sum = 0; /* a ring that winds many times may pass 64 bits on the way */
@@ -64,8 +63,7 @@ double mt_ring_length(const mt_ring *ring) {
     return sum;
 }
 
-/* ---- boxes and centres ------------------------------------------------------------------------------------
- */
+/* ---- boxes and centres --------------------------------------------------------------------------------- */
 
 static void extend_box(mt_box *box, mt_point p) {
     if (p.x < box->min.x) box->min.x = p.x;
@@ -120,8 +118,7 @@ void mt_ring_centre(const mt_ring *ring, double *x, double *y) {
     *y = ((double)box.min.y + box.max.y) / 2;
 }
 
-/* ---- distances --------------------------------------------------------------------------------------------
- */
+/* ---- distances ----------------------------------------------------------------------------------------- */
 
 double mt_way_to_edge(mt_point from, mt_point a, mt_point b, double way[2]) {
     double length2 = (double)mt_distance2(a, b),
@@ -154,8 +151,7 @@ double mt_ring_gap(const mt_ring *p, const mt_ring *q, mt_point *way) {
     return nearer;
 }
 
-/* ---- convexity --------------------------------------------------------------------------------------------
- */
+/* ---- convexity ----------------------------------------------------------------------------------------- */
 
 static bool points_right(mt_point a, mt_point b) {
     return b.x > a.x || (b.x == a.x && b.y > a.y);

@@ -6,10 +6,8 @@
  * anticlockwise ring. A shape is the ink of one glyph.
  *
  * Each point carries a mark that remembers where it came from, so that curves can be told from corners again
- * when the result is fitted. Geometry itself decides nothing by marks.
- */
-#ifndef MT_GEOMETRY_RING_H
-#define MT_GEOMETRY_RING_H
+ * when the result is fitted. Geometry itself decides nothing by marks. */
+#pragma once
 
 #include "base/memory.h"
 #include "geometry/point.h"
@@ -94,5 +92,3 @@ bool mt_ring_is_valid(const mt_ring *ring);
 bool mt_component_is_valid(const mt_component *component);
 bool mt_shape_is_valid(const mt_shape *shape);
 bool mt_pieces_is_valid(const mt_pieces *pieces);
-
-#endif

@@ -1,6 +1,5 @@
 /* Quadratic splines through samples of a smooth curve, or of two curves at once with common nodes. */
-#ifndef MT_GEOMETRY_SPLINE_H
-#define MT_GEOMETRY_SPLINE_H
+#pragma once
 
 #include "geometry/outline.h"
 
@@ -31,5 +30,3 @@ mt_sample mt_sample_at(double x, double y, double heading, bool node);
  * segment ends; *made says how many there are. MT_NO_MEMORY. */
 mt_status mt_spline(const mt_sample *const *masters, int master_count, int count, double tolerance,
                     mt_arena *arena, mt_segment *const *segments, int *ends, int *made);
-
-#endif

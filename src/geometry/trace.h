@@ -1,6 +1,5 @@
 /* A ring read as the drawing that it came from: its corners, its lines, and the headings of its curves. */
-#ifndef MT_GEOMETRY_TRACE_H
-#define MT_GEOMETRY_TRACE_H
+#pragma once
 
 #include "geometry/ring.h"
 
@@ -37,5 +36,3 @@ double mt_trace_in(const mt_trace *trace, int i);
 
 /* Whether lengths are not negative, turns at most π, and edges between two corners lines. Linear. */
 bool mt_trace_is_valid(const mt_trace *trace);
-
-#endif

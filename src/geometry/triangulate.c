@@ -38,8 +38,7 @@ typedef struct mt_triangulation {
     mt_arena *arena;
 } mt_triangulation;
 
-/* ---- half-edges -------------------------------------------------------------------------------------------
- */
+/* ---- half-edges ---------------------------------------------------------------------------------------- */
 
 static int next(int e) {
     return e % 3 == 2 ? e - 2 : e + 1;
@@ -122,8 +121,7 @@ static mt_status legalise(mt_triangulation *w) {
     return MT_OK;
 }
 
-/* ---- 1: the vertices --------------------------------------------------------------------------------------
- */
+/* ---- 1: the vertices ----------------------------------------------------------------------------------- */
 
 /* Place along a Hilbert curve through a square of side 2^16 (the usual quadrant-by-quadrant descent). */
 static uint32_t hilbert(uint32_t x, uint32_t y) {
@@ -261,8 +259,7 @@ static mt_status insert_vertices(mt_triangulation *w) {
     return MT_OK;
 }
 
-/* ---- 2: the ring edges ------------------------------------------------------------------------------------
- */
+/* ---- 2: the ring edges --------------------------------------------------------------------------------- */
 
 static void fix(mt_triangulation *w, int e, uint8_t marks) {
     int f = w->edges[e].twin;
@@ -273,8 +270,7 @@ static void fix(mt_triangulation *w, int e, uint8_t marks) {
 }
 
 /* The half-edge at u along which, or the triangle at u through which, the segment to v leaves: either the edge
- * u→w with w on the segment, or the edge u→x such that the segment passes between x and the triangle's third corner.
- */
+ * u→w with w on the segment, or the edge u→x such that the segment passes between x and the triangle's third corner. */
 static int leave_towards(const mt_triangulation *w, int u, int v, bool *along) {
     mt_point p = w->points[u], q = w->points[v];
     int e = w->out[u];
@@ -394,8 +390,7 @@ static mt_status force_ring(mt_triangulation *w, int first, int count) {
     return MT_OK;
 }
 
-/* ---- 4: the ink -------------------------------------------------------------------------------------------
- */
+/* ---- 4: the ink ---------------------------------------------------------------------------------------- */
 
 enum { UNKNOWN = INT32_MIN };
 
@@ -443,8 +438,7 @@ static mt_status keep_ink(mt_triangulation *w, mt_mesh *mesh) {
     return MT_OK;
 }
 
-/* ---- all of it --------------------------------------------------------------------------------------------
- */
+/* ---- all of it ----------------------------------------------------------------------------------------- */
 
 static mt_status gather(const mt_component *component, mt_triangulation *w, mt_mesh *mesh) {
     int64_t total = 0;

@@ -1,6 +1,5 @@
 /* Exact constrained Delaunay triangulation of a component over its own vertices. */
-#ifndef MT_GEOMETRY_TRIANGULATE_H
-#define MT_GEOMETRY_TRIANGULATE_H
+#pragma once
 
 #include "geometry/ring.h"
 
@@ -29,5 +28,3 @@ mt_status mt_triangulate(const mt_component *component, mt_arena *arena, mt_mesh
 
 /* Whether triangles are anticlockwise with area, twins are mutual, and both run between the same vertices. Linear. */
 bool mt_mesh_is_valid(const mt_mesh *mesh);
-
-#endif

@@ -1,6 +1,5 @@
 /* Union of polygons, by Clipper (A. Johnson; B. R. Vatti, "A generic solution to polygon clipping", 1992). */
-#ifndef MT_GEOMETRY_UNION_H
-#define MT_GEOMETRY_UNION_H
+#pragma once
 
 #include "geometry/outline.h"
 
@@ -21,5 +20,3 @@ mt_status mt_union_unmarked(const mt_rings *rings, mt_rule rule, mt_arena *arena
  * union already, in either orientation as a whole: no area was covered twice. As mt_flatten and mt_union. */
 mt_status mt_outline_resolve(const mt_outline *outline, double tolerance, mt_arena *arena, mt_shape *shape,
                              bool *clean);
-
-#endif

@@ -1,6 +1,5 @@
 /* Which characters and glyphs a blend has. */
-#ifndef MT_GLYPHSET_CHARSET_H
-#define MT_GLYPHSET_CHARSET_H
+#pragma once
 
 #include "glyphset/font_pair.h"
 #include "gsub/subset.h"
@@ -51,5 +50,3 @@ mt_status mt_charset_make(mt_font *a, mt_font *b, const mt_charset_request *requ
 
 /* Adds the further pairs to the first font's tables, which are pruned to the first primary_count glyphs. MT_NO_MEMORY. */
 mt_status mt_charset_twins(const mt_charset *charset, mt_arena *arena, mt_layout_tables *tables);
-
-#endif

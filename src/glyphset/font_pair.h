@@ -1,6 +1,5 @@
 /* What the first font of a row has in common with one other: characters, variation sequences, glyphs. */
-#ifndef MT_GLYPHSET_FONT_PAIR_H
-#define MT_GLYPHSET_FONT_PAIR_H
+#pragma once
 
 #include "glyphset/match.h"
 #include "source/variation_sequences.h"
@@ -48,5 +47,3 @@ mt_status mt_font_pair_make(mt_font *a, mt_font *b, const mt_charset_request *re
 /* NULL where the pair has not both the character, or the sequence. */
 const mt_code *mt_font_pair_code(const mt_font_pair *pair, uint32_t code_point);
 const mt_sequence *mt_font_pair_sequence(const mt_font_pair *pair, const mt_sequence *like);
-
-#endif

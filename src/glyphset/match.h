@@ -1,6 +1,5 @@
 /* Which of B's glyphs each of A's is blended with. */
-#ifndef MT_GLYPHSET_MATCH_H
-#define MT_GLYPHSET_MATCH_H
+#pragma once
 
 #include "base/memory.h"
 #include "gsub/gsub.h"
@@ -35,5 +34,3 @@ mt_status mt_match_forms(mt_glyph_match *match, const mt_gsub *a, const mt_gsub 
  * a partner, or with `all` any. What stands around a glyph in the text is not looked at. MT_NO_MEMORY. */
 mt_status mt_match_reach(const mt_glyph_match *match, const mt_gsub *gsub, bool all, mt_arena *arena,
                          bool *kept);
-
-#endif

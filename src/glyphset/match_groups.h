@@ -1,6 +1,5 @@
 /* What the features of two fonts apply, side by side. */
-#ifndef MT_GLYPHSET_MATCH_GROUPS_H
-#define MT_GLYPHSET_MATCH_GROUPS_H
+#pragma once
 
 #include "base/memory.h"
 #include "gsub/gsub.h"
@@ -21,5 +20,3 @@ typedef struct mt_groups {
 
 /* The groups of all features that both fonts have, each once. MT_NO_MEMORY. */
 mt_status mt_match_groups(const mt_gsub *a, const mt_gsub *b, mt_arena *arena, mt_groups *groups);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * A static font is written for one place. A varying one is written for all fonts, in their order: the first gives its
  * default values, and the others what a variation store adds to them. */
-#ifndef MT_GLYPHSET_PLACES_H
-#define MT_GLYPHSET_PLACES_H
+#pragma once
 
 #include "glyphset/charset.h"
 #include "sfnt/var_store.h"
@@ -27,5 +26,3 @@ mt_between mt_between_at(const mt_places *places, int i);
 static inline double mt_between_mix(mt_between between, double first, double second) {
     return (1 - between.t) * first + between.t * second;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* GPOS put together (OpenType spec, "GPOS" and "Layout tables", version 1.0). */
-#ifndef MT_GPOS_GPOS_H
-#define MT_GPOS_GPOS_H
+#pragma once
 
 #include "layout/systems.h"
 #include "sfnt/sfnt.h"
@@ -28,5 +27,3 @@ mt_status mt_gpos_feature_list(const mt_gpos_feature *features, int count, mt_ta
 mt_status mt_gpos_script_list(const mt_systems *systems, const mt_gpos_feature *features, int count,
                               mt_arena *scratch, mt_table *table);
 mt_status mt_gpos_lookup_list(const mt_lookup_builders *lookups, mt_table *table);
-
-#endif

@@ -1,6 +1,5 @@
 /* The blend's horizontal kerning as classes and pairs, as a UFO has it (groups.plist, kerning.plist). */
-#ifndef MT_GPOS_KERNING_H
-#define MT_GPOS_KERNING_H
+#pragma once
 
 #include "gpos/positions.h"
 
@@ -28,5 +27,3 @@ typedef struct mt_kerning {
 /* The kerning at t, as mt_positions_write has it, of the script that text in Latin is set by; empty where no font kerns, or where
  * their classes together are too many (MT_PAIR_CELLS_MAX). It belongs to the arena. MT_NO_MEMORY. */
 mt_status mt_positions_kerning(const mt_positions *positions, double t, mt_arena *arena, mt_kerning *kerning);
-
-#endif

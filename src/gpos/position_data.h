@@ -1,6 +1,5 @@
 /* What mt_positions holds; shared by the files that prepare, write and tell of positions. */
-#ifndef MT_GPOS_POSITION_DATA_H
-#define MT_GPOS_POSITION_DATA_H
+#pragma once
 
 #include "anchors/anchor.h"
 #include "gpos/singles.h"
@@ -30,5 +29,3 @@ typedef struct mt_positions {
     mt_pairs plain_kerning; /* all of the kern feature that Latin text is set by, whatever the flags */
     mt_anchors anchors;
 } mt_positions;
-
-#endif

@@ -3,8 +3,7 @@
  * Everything is read once into a structure that holds all fonts' values, in the new font's units; it is mixed and
  * rounded when a font is written. A static font is written for one place on the way through the fonts; a varying one has
  * the fonts as stops along its axis (font/var_store.h), the first of them being the default. */
-#ifndef MT_GPOS_POSITIONS_H
-#define MT_GPOS_POSITIONS_H
+#pragma once
 
 #include "glyphset/places.h"
 #include "layout/lookup_builder.h"
@@ -25,5 +24,3 @@ mt_status mt_positions_write(const mt_positions *positions, double t, mt_arena *
  * GPOS. In the arena. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_positions_write_varying(const mt_positions *positions, mt_bytes plain_gdef, mt_arena *arena,
                                      mt_bytes *gpos, mt_bytes *gdef);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * Where another font has the feature too, a glyph's value there is its own (0 where it leaves the glyph as it is); where
  * it has not, or has no such glyph, it is the first font's, scaled to the new units. */
-#ifndef MT_GPOS_SINGLES_H
-#define MT_GPOS_SINGLES_H
+#pragma once
 
 #include "glyphset/places.h"
 #include "layout/layout.h"
@@ -38,5 +37,3 @@ mt_status mt_singles_prepare(const mt_single_source *sources, const mt_font_glyp
  * the arena. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_singles_write(const mt_singles *singles, const mt_places *places, mt_arena *arena,
                            mt_bytes **subtables, int *count);
-
-#endif

@@ -1,5 +1,4 @@
-/* Which lookups a context calls (OpenType spec, "Sequence context" and "Chained sequence context" formats 1, 2 and 3).
- */
+/* Which lookups a context calls (OpenType spec, "Sequence context" and "Chained sequence context" formats 1, 2 and 3). */
 #include "gsub/gsub.h"
 
 /* SequenceLookup records: a place in the sequence, and a lookup. */

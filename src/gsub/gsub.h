@@ -1,7 +1,5 @@
-/* A font's substitutions (OpenType spec, "GSUB"), as a list that can be matched with another font's and written again.
- */
-#ifndef MT_GSUB_GSUB_H
-#define MT_GSUB_GSUB_H
+/* A font's substitutions (OpenType spec, "GSUB"), as a list that can be matched with another font's and written again. */
+#pragma once
 
 #include "layout/layout.h"
 #include "sfnt/sfnt.h"
@@ -107,5 +105,3 @@ mt_status mt_gsub_write(mt_gsub_parts *parts, int type, mt_bytes old, const mt_s
 /* gsub_cut.c: the table once more, without the substitutions that lead to a glyph that is not kept, or from one; `kept`
  * has one for each glyph of the font. All lookups are extensions. Empty when its offsets would not do. MT_NO_MEMORY. */
 mt_status mt_gsub_cut(const mt_gsub *gsub, const bool *kept, mt_arena *arena, mt_bytes *cut);
-
-#endif

@@ -1,6 +1,5 @@
 /* A's GSUB and GDEF for a font of some of its glyphs. */
-#ifndef MT_GSUB_SUBSET_H
-#define MT_GSUB_SUBSET_H
+#pragma once
 
 #include "gsub/gsub.h"
 #include "sfnt/sfnt.h"
@@ -19,5 +18,3 @@ mt_status mt_gsub_subset(const mt_font *font, const uint16_t *kept, int count, m
  * are substituted as these are, except in contexts, and are of their classes. MT_NO_MEMORY. */
 mt_status mt_gsub_twins(mt_layout_tables *tables, int count, const mt_twin *twins, int twin_count,
                         mt_arena *arena);
-
-#endif

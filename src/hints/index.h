@@ -1,7 +1,6 @@
 /* Hints as the morph takes them: those of a table for each pair of glyphs of two fonts, on the grid. Characters
  * that lead to the same two glyphs have their hints in common, as they share the blend of these glyphs. */
-#ifndef MT_HINTS_INDEX_H
-#define MT_HINTS_INDEX_H
+#pragma once
 
 #include "hints/table.h"
 #include "source/font.h"
@@ -18,5 +17,3 @@ void mt_hint_index_free(mt_hint_index *index); /* NULL is fine */
 /* The hints for A's glyph `a` and B's glyph `b`, in the order of the file; they belong to the index. None
  * where `index` is NULL. */
 mt_hints mt_hint_index_find(const mt_hint_index *index, uint32_t a, uint32_t b);
-
-#endif

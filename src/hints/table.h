@@ -6,8 +6,7 @@
  *     point 100,700 90,680           a place on A's boundary, and the one on B's that goes with it
  *
  * Hints belong to the character before them. One that stands there again gets more of them. */
-#ifndef MT_HINTS_TABLE_H
-#define MT_HINTS_TABLE_H
+#pragma once
 
 #include "morph/model/hints.h"
 #include "morphotype.h"
@@ -28,5 +27,3 @@ struct mt_hint_table {
     int count, room;
     mt_hint_line *lines; /* by character, then by line */
 };
-
-#endif

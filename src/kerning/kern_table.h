@@ -1,6 +1,5 @@
 /* The old 'kern' table (OpenType spec, "kern", and Apple's): subtables of formats 0 and 2. */
-#ifndef MT_KERNING_KERN_TABLE_H
-#define MT_KERNING_KERN_TABLE_H
+#pragma once
 
 #include "kerning/subtable.h"
 
@@ -18,5 +17,3 @@ double mt_kern_listed_value(const mt_pair_subtable *subtable, uint32_t left, uin
 int mt_kern_row(const mt_pair_subtable *subtable, uint32_t left);
 int mt_kern_column(const mt_pair_subtable *subtable, uint32_t right);
 double mt_kern_classed_value(const mt_pair_subtable *subtable, int row, int column);
-
-#endif

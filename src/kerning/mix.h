@@ -1,6 +1,5 @@
 /* Pair adjustment at some places: values mixed and rounded, glyphs that kern alike at all of them brought together. */
-#ifndef MT_KERNING_MIX_H
-#define MT_KERNING_MIX_H
+#pragma once
 
 #include "kerning/pairs.h"
 #include "layout/value_write.h"
@@ -23,5 +22,3 @@ mt_status mt_pairs_mix(const mt_pairs *pairs, const mt_places *places, mt_arena 
 
 const int32_t *mt_mixed_cell(const mt_mixed_pairs *mixed, int row, int column);
 const int32_t *mt_mixed_listed(const mt_mixed_pairs *mixed, int i);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * On each side, a class of new glyphs is a class of each font's glyphs: those that the font's matrices do not tell
  * apart. Pairs that any font gives one by one, and that differ from the classes' value, are listed. */
-#ifndef MT_KERNING_PAIRS_H
-#define MT_KERNING_PAIRS_H
+#pragma once
 
 #include "glyphset/places.h"
 #include "kerning/source.h"
@@ -42,5 +41,3 @@ typedef struct mt_pairs {
  * (a glyph looked up in a subtable, a pair read). A malformed font can ask for any number; the largest fonts take a
  * tenth. */
 enum { MT_PAIR_CELLS_MAX = 1 << 22, MT_PAIRS_LISTED_MAX = 1 << 20, MT_PAIR_STEPS_MAX = 1 << 26 };
-
-#endif

@@ -1,6 +1,5 @@
 /* From the pair adjustment of several fonts to one structure. */
-#ifndef MT_KERNING_PREPARE_H
-#define MT_KERNING_PREPARE_H
+#pragma once
 
 #include "kerning/pairs.h"
 
@@ -9,5 +8,3 @@
  * is taken from; there is a source for each font. MT_TOO_LARGE for more than that, MT_NO_MEMORY. */
 mt_status mt_pairs_prepare(const mt_pair_source *const *sources, const mt_font_glyphs *glyphs, int most,
                            int64_t *steps, mt_arena *arena, mt_pairs *pairs);
-
-#endif

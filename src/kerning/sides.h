@@ -1,6 +1,5 @@
 /* The glyphs of one font sorted into the classes that its pair adjustment tells apart. */
-#ifndef MT_KERNING_SIDES_H
-#define MT_KERNING_SIDES_H
+#pragma once
 
 #include "kerning/pairs.h"
 #include "sfnt/intern.h"
@@ -26,5 +25,3 @@ void mt_pair_side_free(mt_pair_side *side);
 /* The values of all classes, for the parts of `pairs`. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_pair_side_values(const mt_pair_side *side, const mt_pairs *pairs, mt_arena *arena,
                               mt_pair_matrix *matrix);
-
-#endif

@@ -3,8 +3,7 @@
  * A subtable is a list of pairs, or a matrix of classes. What it has for a left glyph is a row, for a right glyph of a
  * matrix a column: numbers without further meaning, the same for glyphs that it does not tell apart, and -1 where it has
  * nothing. */
-#ifndef MT_KERNING_SOURCE_H
-#define MT_KERNING_SOURCE_H
+#pragma once
 
 #include "kerning/subtable.h"
 #include "layout/layout.h"
@@ -29,5 +28,3 @@ typedef struct mt_pair {
 
 /* The value of a pair; with rows of -1 in all lists, what the classes alone give. */
 void mt_pair_value(const mt_pair_source *source, const mt_pair *pair, double values[MT_PAIR_PARTS]);
-
-#endif

@@ -1,6 +1,5 @@
 /* The subtables of one font's pair adjustment, of GPOS and of the old 'kern' table. */
-#ifndef MT_KERNING_SUBTABLE_H
-#define MT_KERNING_SUBTABLE_H
+#pragma once
 
 #include "layout/gdef_deltas.h"
 #include "layout/value.h"
@@ -33,5 +32,3 @@ typedef struct mt_pair_source {
     int count;
     mt_pair_subtable *subtables;
 } mt_pair_source; /* all zero is a font that does not kern */
-
-#endif

@@ -1,6 +1,5 @@
 /* Pair adjustment, static or varying, as subtables of a lookup. */
-#ifndef MT_KERNING_WRITE_H
-#define MT_KERNING_WRITE_H
+#pragma once
 
 #include "kerning/mix.h"
 #include "layout/lookup_builder.h"
@@ -11,5 +10,3 @@
  * NULL where there is one place. In the arena. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_pairs_write(const mt_mixed_pairs *mixed, mt_var_store *store, mt_arena *arena,
                          mt_bytes **subtables, int *count);
-
-#endif

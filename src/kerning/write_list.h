@@ -1,10 +1,7 @@
 /* Listed pairs: PairPosFormat1 (OpenType spec, "GPOS"). */
-#ifndef MT_KERNING_WRITE_LIST_H
-#define MT_KERNING_WRITE_LIST_H
+#pragma once
 
 #include "kerning/writer.h"
 
 /* As many subtables as 16-bit offsets ask for. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_pair_write_list(mt_pair_writer *writer);
-
-#endif

@@ -1,6 +1,5 @@
 /* What the writers of both formats of pair adjustment share. */
-#ifndef MT_KERNING_WRITER_H
-#define MT_KERNING_WRITER_H
+#pragma once
 
 #include "kerning/mix.h"
 #include "layout/lookup_builder.h"
@@ -17,5 +16,3 @@ void mt_pair_write_header(mt_table *table, int format, size_t coverage, mt_value
 
 /* Where a 16-bit offset may lead at most. */
 enum { MT_OFFSET_MAX = UINT16_MAX };
-
-#endif

@@ -1,7 +1,6 @@
 /* What a variable font adds to a position at its place on the axes (OpenType spec, "Item variation stores"): GDEF's
  * store, which HarfBuzz 6 cannot instance. */
-#ifndef MT_LAYOUT_GDEF_DELTAS_H
-#define MT_LAYOUT_GDEF_DELTAS_H
+#pragma once
 
 #include "base/memory.h"
 #include "layout/ot.h"
@@ -20,5 +19,3 @@ mt_status mt_gdef_deltas_open(mt_bytes gdef, const int32_t *place, int axis_coun
 /* What a Device table or VariationIndex table adds, in font units; 0 for a Device table proper, which is for pixel
  * sizes, and for an empty or malformed table. */
 double mt_gdef_delta(const mt_gdef_deltas *variations, mt_bytes device);
-
-#endif

@@ -1,7 +1,6 @@
 /* GPOS and GSUB as they are walked (OpenType spec, "Layout tables": ScriptList, FeatureList, LookupList; versions 1.0
  * and 1.1; FeatureVariations are not read). */
-#ifndef MT_LAYOUT_LAYOUT_H
-#define MT_LAYOUT_LAYOUT_H
+#pragma once
 
 #include "base/memory.h"
 #include "layout/ot.h"
@@ -57,5 +56,3 @@ typedef struct mt_lookup {
 mt_lookup mt_layout_lookup(const mt_layout *layout, int index);
 /* An extension is followed; empty where that has not the lookup's type. */
 mt_bytes mt_lookup_subtable(const mt_lookup *lookup, int i);
-
-#endif

@@ -1,6 +1,5 @@
 /* GPOS in the making: Coverage and ClassDef tables, and lookups whose subtables are ready. */
-#ifndef MT_LAYOUT_LOOKUP_BUILDER_H
-#define MT_LAYOUT_LOOKUP_BUILDER_H
+#pragma once
 
 #include "layout/layout.h"
 #include "sfnt/sfnt.h"
@@ -55,5 +54,3 @@ typedef struct mt_lookup_builders {
 } mt_lookup_builders;
 mt_status mt_lookup_builders_add(mt_lookup_builders *made, const mt_lookup_builder *lookup,
                                  mt_arena *arena); /* MT_NO_MEMORY */
-
-#endif

@@ -1,6 +1,5 @@
 /* Which lookups of the fonts go together: those of the same feature, for the same script and language. */
-#ifndef MT_LAYOUT_LOOKUP_GROUPS_H
-#define MT_LAYOUT_LOOKUP_GROUPS_H
+#pragma once
 
 #include "layout/systems.h"
 
@@ -44,5 +43,3 @@ mt_status mt_feature_jobs_find(const mt_feature_sources *sources, const mt_syste
 /* All of one feature's lookups of a system as one job, whatever their flags. MT_NO_MEMORY. */
 mt_status mt_feature_job_whole(const mt_feature_sources *sources, const mt_systems *systems, int system,
                                uint32_t tag, int type, mt_arena *arena, mt_feature_job *job);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * A table is the bytes from its start to the end of the file's table. What is read past the end is 0, and a table at
  * offset 0 or past the end is empty: so malformed data gives empty lists, and nothing has to be checked twice. */
-#ifndef MT_LAYOUT_OT_H
-#define MT_LAYOUT_OT_H
+#pragma once
 
 #include "sfnt/sfnt.h"
 #include "source/font.h"
@@ -37,5 +36,3 @@ mt_status mt_coverage_list(mt_bytes coverage, mt_arena *arena, mt_covered **list
 
 /* The class of a glyph in a ClassDef table (formats 1 and 2); 0 when it is in none. */
 unsigned mt_class_find(mt_bytes class_def, uint32_t glyph);
-
-#endif

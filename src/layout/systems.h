@@ -1,6 +1,5 @@
 /* The language systems of the new font. */
-#ifndef MT_LAYOUT_SYSTEMS_H
-#define MT_LAYOUT_SYSTEMS_H
+#pragma once
 
 #include "layout/lookup_builder.h"
 #include "sfnt/var_store.h"
@@ -34,5 +33,3 @@ int mt_system_lookups(const mt_layout *layout, int system, uint32_t tag, int typ
 bool mt_system_has_feature(const mt_layout *layout, int system, uint32_t tag);
 
 enum { MT_SYSTEM_LOOKUPS_MAX = 256 }; /* of one type in one feature */
-
-#endif

@@ -1,6 +1,5 @@
 /* Value records of GPOS (OpenType spec, "GPOS": Value record): how far a glyph is moved, and its advance changed. */
-#ifndef MT_LAYOUT_VALUE_H
-#define MT_LAYOUT_VALUE_H
+#pragma once
 
 #include "layout/gdef_deltas.h"
 #include "sfnt/sfnt.h"
@@ -21,5 +20,3 @@ unsigned mt_value_parts(unsigned format);
 
 /* A number of font units rounded to the nearest one that a table holds, halves upwards. */
 int mt_value_rounded(double value);
-
-#endif

@@ -1,7 +1,6 @@
 /* Value records that are written, with VariationIndex tables for what varies (OpenType spec, "GPOS": Value record;
  * "Layout tables": Device and VariationIndex tables). */
-#ifndef MT_LAYOUT_VALUE_WRITE_H
-#define MT_LAYOUT_VALUE_WRITE_H
+#pragma once
 
 #include "layout/value.h"
 #include "sfnt/table.h"
@@ -47,5 +46,3 @@ size_t mt_value_format_size(mt_value_format format);
 /* Writes all records of a row. The pool starts `to_pool` bytes from what the records' offsets count from. */
 void mt_value_write(mt_table *table, const mt_value_rows *rows, mt_value_format format, const int32_t *row,
                     mt_variation_pool *pool, size_t to_pool);
-
-#endif

@@ -1,6 +1,5 @@
 /* From two shapes to a morph: done once, before any place between them. */
-#ifndef MT_MORPH_PREPARE_H
-#define MT_MORPH_PREPARE_H
+#pragma once
 
 #include "morph/model/morph.h"
 
@@ -9,5 +8,3 @@
  * has ink and the other none. */
 mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints *hints,
                            const mt_params *params, mt_arena *arena, mt_morph *morph);
-
-#endif

@@ -1,6 +1,5 @@
 /* The joint method for a glyph: joined with one set of settings after the other, repaired, and the best taken. */
-#ifndef MT_MORPH_TRIALS_H
-#define MT_MORPH_TRIALS_H
+#pragma once
 
 #include "morph/model/hints.h"
 #include "morph/model/morph.h"
@@ -11,5 +10,3 @@ mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *
 /* The corners of blends that are looked at for a glyph, at most, but for one set of settings: two to four seconds. Of 100 hard Han
  * glyphs, twice as much repaired at most one more. */
 enum { MT_EFFORT = 2000000 };
-
-#endif

@@ -3,8 +3,7 @@
  *
  * A picture's unit is a pixel in PNG and a point in SVG and PDF; y runs downwards. The same drawing gives the
  * same bytes: a PDF's creation date is SOURCE_DATE_EPOCH when that is set, otherwise a fixed day. */
-#ifndef MT_PICTURE_CANVAS_H
-#define MT_PICTURE_CANVAS_H
+#pragma once
 
 #include "base/buffer.h"
 
@@ -36,5 +35,3 @@ mt_status mt_canvas_finish(mt_canvas *canvas, mt_buffer *file);
 /* Finishes, and writes the file to `path`. */
 mt_status mt_canvas_save(mt_canvas *canvas, const char *path);
 void mt_canvas_close(mt_canvas *canvas); /* one that never opened is fine when it is all zero */
-
-#endif

@@ -41,8 +41,7 @@
  *     }
  *
  * Lengths are in em and areas in em², to 9 decimals; y runs upwards from the baseline. Points of B are
- * given as it is drawn, before it is turned. A font's "style" may be "". Indices count from 0.
- */
+ * given as it is drawn, before it is turned. A font's "style" may be "". Indices count from 0. */
 #include "base/json.h"
 #include "base/utf.h"
 #include "geometry/limits.h"

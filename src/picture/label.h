@@ -1,7 +1,6 @@
 /* Labels: T values, code points, page numbers and font names, in a small plotter alphabet of their own, so
  * that a picture has them on a machine without any installed font, and is the same on every machine. */
-#ifndef MT_PICTURE_LABEL_H
-#define MT_PICTURE_LABEL_H
+#pragma once
 
 #include <cairo.h>
 #include <stddef.h>
@@ -17,5 +16,3 @@ void mt_label_t(double t, char *text, size_t room);
 
 /* How high labels are beside text of `size` units an em. */
 double mt_label_height(double size);
-
-#endif

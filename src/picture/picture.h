@@ -1,8 +1,7 @@
 /* Strips, sheets and inspections: pictures to judge a blend by. Text is shaped by HarfBuzz with the blended
  * fonts themselves, and drawn by Cairo: what a strip shows is what the font gives. The output's format is
  * that of its extension: .png, .svg or .pdf. */
-#ifndef MT_PICTURE_PICTURE_H
-#define MT_PICTURE_PICTURE_H
+#pragma once
 
 #include "blend/row.h"
 
@@ -62,5 +61,3 @@ mt_status mt_inspect_save(mt_row *row, const mt_inspection *what, const char *pa
 /* The same as data, schema in docs/guide.md; bytes for mt_bytes_free. */
 mt_status mt_inspect_json(mt_row *row, const mt_inspection *what, uint8_t **bytes, size_t *length,
                           uint32_t *failed);
-
-#endif

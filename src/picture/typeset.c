@@ -158,8 +158,7 @@ typedef struct placed {
     double x, y;
 } placed;
 
-/* Steps through a shaped line: the glyph at `index`, with the pen before it in *pen and after it on return.
- */
+/* Steps through a shaped line: the glyph at `index`, with the pen before it in *pen and after it on return. */
 static placed place(const mt_line *line, unsigned index, double *pen) {
     const hb_glyph_info_t *info = hb_buffer_get_glyph_infos(line->buffer, NULL);
     const hb_glyph_position_t *position = hb_buffer_get_glyph_positions(line->buffer, NULL);

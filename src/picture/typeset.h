@@ -1,6 +1,5 @@
 /* The font at one T, made by the blend and read back by HarfBuzz: pictures show what the font file gives. */
-#ifndef MT_PICTURE_TYPESET_H
-#define MT_PICTURE_TYPESET_H
+#pragma once
 
 #include "picture/picture.h"
 
@@ -46,5 +45,3 @@ void mt_line_draw(const mt_typeset *instance, const mt_line *line, cairo_t *cair
                   double size);
 void mt_glyph_draw(const mt_typeset *instance, uint32_t glyph, cairo_t *cairo, double x, double y,
                    double size);
-
-#endif

@@ -1,6 +1,5 @@
 /* One character as the engine sees it, for the inspection's picture and for its data. */
-#ifndef MT_PICTURE_VIEW_H
-#define MT_PICTURE_VIEW_H
+#pragma once
 
 #include "blend/pair.h"
 
@@ -13,5 +12,3 @@ typedef struct mt_view {
 /* Prepares the character between the row's first two fonts, in the arena; of a row of one font, decomposes it. As
  * mt_pair_prepare_char. */
 mt_status mt_view_prepare(mt_row *row, uint32_t code_point, mt_arena *arena, mt_view *view);
-
-#endif

@@ -7,8 +7,7 @@
  *     report_json.c     the report as data
  *     report_html.c     the report as a page, with strips by report_strip.c
  */
-#ifndef MT_REPORT_REPORT_H
-#define MT_REPORT_REPORT_H
+#pragma once
 
 #include "base/buffer.h"
 #include "blend/making.h"
@@ -81,8 +80,7 @@ typedef struct mt_report_glyph {
 /* ---- one glyph ------------------------------------------------------------------------------------------- */
 
 /* The figures of a prepared pair, with points counted at `units` to the em; flags and severity are left to
- * mt_report_judge. Leaves nothing in the arena. As mt_morph_outline, mt_outline_resolve and mt_outline_glyf.
- */
+ * mt_report_judge. Leaves nothing in the arena. As mt_morph_outline, mt_outline_resolve and mt_outline_glyf. */
 mt_status mt_report_measure(const mt_glyph_pair *pair, const mt_params *params, int units, mt_arena *arena,
                             mt_report_glyph *glyph);
 /* The place of a step, 0 … MT_REPORT_STEPS - 1. */
@@ -157,5 +155,3 @@ mt_status mt_report_format_of(const char *path, mt_report_format *format);
 /* Makes the report and writes it to `path`, whole or not at all. As mt_report_make; MT_UNKNOWN_FORMAT,
  * MT_CANNOT_WRITE. */
 mt_status mt_report_save(mt_row *row, const char *path);
-
-#endif

@@ -1,6 +1,5 @@
 /* A variable font as its masters: a designspace document, and beside it a folder with a UFO for each. */
-#ifndef MT_SAVE_DESIGNSPACE_H
-#define MT_SAVE_DESIGNSPACE_H
+#pragma once
 
 #include "base/folder.h"
 #include "sfnt/axis_map.h"
@@ -29,5 +28,3 @@ mt_status mt_designspace_place(mt_designspace *designspace);
 /* Removes both again. */
 void mt_designspace_remove(const mt_designspace *designspace);
 void mt_designspace_free(mt_designspace *designspace);
-
-#endif

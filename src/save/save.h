@@ -1,6 +1,5 @@
 /* Blended fonts saved in the format of their file's extension: .ttf, .woff2 or .ufo. */
-#ifndef MT_SAVE_SAVE_H
-#define MT_SAVE_SAVE_H
+#pragma once
 
 #include "sfnt/axis_map.h"
 #include "write/font_data.h"
@@ -41,5 +40,3 @@ mt_status mt_font_pack(const mt_font_data *data, const uint8_t *font, size_t len
 mt_status mt_blend_save_when(mt_blend *blend, const mt_saving *saving, int *failed);
 /* The same of a variable font. */
 mt_status mt_variable_save_when(mt_variable *variable, const mt_saving *saving, int *failed);
-
-#endif

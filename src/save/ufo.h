@@ -1,6 +1,5 @@
 /* A font as Unified Font Object 3 (unifiedfontobject.org), for designers to go on with in their editor. */
-#ifndef MT_SAVE_UFO_H
-#define MT_SAVE_UFO_H
+#pragma once
 
 #include "base/folder.h"
 #include "write/font_data.h"
@@ -12,5 +11,3 @@
  * points on the curve left implied, outer contours clockwise. MT_BAD_PARAMETER and MT_TOO_LARGE as for mt_font_write,
  * MT_NO_MEMORY, MT_CANNOT_WRITE (errno says why). */
 mt_status mt_ufo_write(const mt_font_data *data, mt_folder *folder);
-
-#endif

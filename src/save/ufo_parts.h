@@ -1,6 +1,5 @@
 /* The parts of a UFO, a function each; only ufo.c calls them. */
-#ifndef MT_SAVE_UFO_PARTS_H
-#define MT_SAVE_UFO_PARTS_H
+#pragma once
 
 #include "base/memory.h"
 #include "base/xml.h"
@@ -39,5 +38,3 @@ mt_status mt_ufo_kerning_make(const mt_kerning *of, const mt_ufo_glyphs *glyphs,
                               mt_ufo_kerning *kerning);
 void mt_ufo_groups(const mt_ufo_kerning *kerning, const mt_ufo_glyphs *glyphs, mt_xml *xml);
 void mt_ufo_pairs(const mt_ufo_kerning *kerning, const mt_ufo_glyphs *glyphs, mt_xml *xml);
-
-#endif

@@ -1,11 +1,8 @@
 /* WOFF2, by Google's libwoff2 (WOFF File Format 2.0, W3C). */
-#ifndef MT_SAVE_WOFF2_H
-#define MT_SAVE_WOFF2_H
+#pragma once
 
 #include "morphotype.h"
 
 /* A font of any sfnt flavour compressed, into bytes for mt_bytes_free. Outlines come out of it as they were, though the
  * bytes of 'glyf' may differ. MT_TOO_LARGE for what the format cannot hold, MT_NO_MEMORY. */
 mt_status mt_woff2_pack(const uint8_t *font, size_t length, uint8_t **bytes, size_t *packed);
-
-#endif

@@ -1,6 +1,5 @@
 /* WOFF2 with every table as it is. */
-#ifndef MT_SAVE_WOFF2_PLAIN_H
-#define MT_SAVE_WOFF2_PLAIN_H
+#pragma once
 
 #include "morphotype.h"
 
@@ -8,5 +7,3 @@
  * release, drops the flags of contours that overlap, even where it does not transform. The font is one that
  * mt_font_write made. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_woff2_pack_plain(const uint8_t *font, size_t length, uint8_t **bytes, size_t *packed);
-
-#endif

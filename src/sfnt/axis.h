@@ -1,6 +1,5 @@
 /* The axis of Morphotype's variable fonts: from the first font, where they stand without a setting, to the last. */
-#ifndef MT_SFNT_AXIS_H
-#define MT_SFNT_AXIS_H
+#pragma once
 
 #include <math.h>
 
@@ -24,5 +23,3 @@ static inline double mt_axis_value(int place) {
 static inline int mt_axis_place(double value) {
     return (int)floor(value / MT_AXIS_END * MT_PLACE_ONE + 0.5);
 }
-
-#endif

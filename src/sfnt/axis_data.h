@@ -1,6 +1,5 @@
 /* How a font in writing varies along its one axis, as plain data. */
-#ifndef MT_SFNT_AXIS_DATA_H
-#define MT_SFNT_AXIS_DATA_H
+#pragma once
 
 #include <stdint.h>
 
@@ -37,5 +36,3 @@ typedef struct mt_axis_data {
     const mt_glyph_path *paths;  /* one a glyph */
     mt_axis_map map;
 } mt_axis_data;
-
-#endif

@@ -1,6 +1,5 @@
 /* How far a variable font has got where users set its axis: on straight lines between points ('avar', segment maps). */
-#ifndef MT_SFNT_AXIS_MAP_H
-#define MT_SFNT_AXIS_MAP_H
+#pragma once
 
 #include "morphotype.h"
 
@@ -27,5 +26,3 @@ double mt_axis_map_place(const mt_axis_map *map, double value);
  * places of the axis would, to just under it, also for who does not round (FreeType up to 2.12): past the place of a font in
  * between, contours collapse. */
 double mt_axis_map_value(const mt_axis_map *map, int place);
-
-#endif

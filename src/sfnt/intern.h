@@ -1,6 +1,5 @@
 /* Rows of whole numbers, each kept once and numbered in the order in which they first come. */
-#ifndef MT_SFNT_INTERN_H
-#define MT_SFNT_INTERN_H
+#pragma once
 
 #include <stdint.h>
 
@@ -20,5 +19,3 @@ mt_status mt_intern(mt_interned *set, const int32_t *row, int *number);
 mt_status mt_intern_filled(mt_interned *set, int32_t value, int *number);
 const int32_t *mt_interned_row(const mt_interned *set, int number);
 void mt_interned_free(mt_interned *set);
-
-#endif

@@ -1,6 +1,5 @@
 /* The table directory (OpenType spec, "Organization of an OpenType Font"). FreeType passes over entries that
- * reach beyond the end of the file; a font cut short would then be read as one that never had those tables.
- */
+ * reach beyond the end of the file; a font cut short would then be read as one that never had those tables. */
 #include "sfnt/sfnt.h"
 
 static bool is_sfnt(uint32_t version) {

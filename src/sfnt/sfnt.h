@@ -1,6 +1,5 @@
 /* What reading and writing share of the sfnt format: TrueType, OpenType and collections. */
-#ifndef MT_SFNT_SFNT_H
-#define MT_SFNT_SFNT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -45,5 +44,3 @@ enum {
 /* Whether every table of face `face` lies within the file's bytes: false for a file cut short. True for what
  * is no sfnt file (a WOFF gives its length in its header, which FreeType checks). */
 bool mt_sfnt_is_whole(const uint8_t *bytes, size_t length, int face);
-
-#endif

@@ -2,8 +2,7 @@
  *
  * A table that could not grow has failed and takes no more bytes; that is looked at once, when all tables are
  * written. */
-#ifndef MT_SFNT_TABLE_H
-#define MT_SFNT_TABLE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -29,5 +28,3 @@ void mt_table_fixed(mt_table *table, double value);
 /* The nearest whole number, at the end of the field's range where it is beyond. */
 void mt_table_i16_of(mt_table *table, double value);
 void mt_table_u16_of(mt_table *table, double value);
-
-#endif

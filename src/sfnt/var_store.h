@@ -3,8 +3,7 @@
  * A varying font has its sources as stops on one axis, evenly from 0 to 1; the first is the default. What some value is
  * at each stop is a row, and between two stops it runs straight: region r (0 …) peaks at stop r + 1 and ends at the
  * stops beside it, so that a row's delta there is its value at that stop less the first. */
-#ifndef MT_SFNT_VAR_STORE_H
-#define MT_SFNT_VAR_STORE_H
+#pragma once
 
 #include "sfnt/intern.h"
 #include "sfnt/table.h"
@@ -47,5 +46,3 @@ mt_status mt_var_store_write(const mt_var_store *store, mt_table *table);
 
 /* A DeltaSetIndexMap of rows: the index of each of `count` things, 1 … 65535. */
 void mt_table_index_map(mt_table *table, const uint32_t *indices, int count);
-
-#endif

@@ -1,5 +1,4 @@
-/* Places of variable fonts (OpenType 'fvar', and Type 1 multiple masters, which FreeType shows the same way).
- */
+/* Places of variable fonts (OpenType 'fvar', and Type 1 multiple masters, which FreeType shows the same way). */
 #include "source/handle.h"
 
 #include FT_MULTIPLE_MASTERS_H

@@ -1,6 +1,5 @@
 /* Reading fonts, through FreeType. */
-#ifndef MT_SOURCE_FONT_H
-#define MT_SOURCE_FONT_H
+#pragma once
 
 #include "geometry/outline.h"
 #include "morphotype.h"
@@ -91,5 +90,3 @@ typedef struct mt_references {
  * by point. Empty for a glyph that is not built so: one with contours of its own, one whose references are scaled or
  * turned, one of another format. MT_NO_MEMORY. Not for two threads at once. */
 mt_status mt_font_references(mt_font *font, uint32_t glyph, mt_arena *arena, mt_references *references);
-
-#endif

@@ -37,8 +37,7 @@ static void *resize(mt_font *font, mt_kept *kept, long size) {
     return resized->bytes;
 }
 
-/* ---- FreeType's callbacks ---------------------------------------------------------------------------------
- */
+/* ---- FreeType's callbacks ------------------------------------------------------------------------------ */
 
 static void *allocate(FT_Memory memory, long size) {
     return resize(memory->user, NULL, size);
@@ -60,8 +59,7 @@ static void release(FT_Memory memory, void *block) {
     mt_free(kept);
 }
 
-/* ---- the guard --------------------------------------------------------------------------------------------
- */
+/* ---- the guard ----------------------------------------------------------------------------------------- */
 
 mt_status mt_font_start(mt_font *font) {
     font->memory = (struct FT_MemoryRec_){font, allocate, release, reallocate};

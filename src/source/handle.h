@@ -1,6 +1,5 @@
 /* Inside a font handle: shared by the files that read fonts, and by nothing else. */
-#ifndef MT_SOURCE_HANDLE_H
-#define MT_SOURCE_HANDLE_H
+#pragma once
 
 #include <setjmp.h>
 
@@ -62,5 +61,3 @@ void mt_font_free_names(mt_font *font);
 
 /* metrics.c: fills font->metrics, units, modified and embedding. */
 void mt_font_read_metrics(mt_font *font);
-
-#endif

@@ -1,5 +1,4 @@
-/* A font's figures, from OS/2, hhea, post and head, or made up from the face where a format has none of them.
- */
+/* A font's figures, from OS/2, hhea, post and head, or made up from the face where a format has none of them. */
 #include "source/handle.h"
 
 #include <math.h>
@@ -20,8 +19,7 @@ static const TT_OS2 *find_os2(const mt_font *font) {
     return os2 && os2->version != NO_OS2 ? os2 : NULL;
 }
 
-/* ---- lines ------------------------------------------------------------------------------------------------
- */
+/* ---- lines --------------------------------------------------------------------------------------------- */
 
 static void read_hhea(const mt_font *font, mt_metrics *metrics) {
     const FT_Face face = font->face;
@@ -58,8 +56,7 @@ static void guess_lines(const mt_font *font, mt_metrics *metrics) {
     metrics->win_descent = fmax(0, (double)-font->face->bbox.yMin);
 }
 
-/* ---- OS/2 -------------------------------------------------------------------------------------------------
- */
+/* ---- OS/2 ---------------------------------------------------------------------------------------------- */
 
 static void read_scripts(const TT_OS2 *os2, mt_metrics *metrics) {
     metrics->strikeout_position = os2->yStrikeoutPosition;
@@ -102,8 +99,7 @@ static void read_os2(const TT_OS2 *os2, mt_metrics *metrics) {
     metrics->family_class = os2->sFamilyClass;
 }
 
-/* ---- heights ----------------------------------------------------------------------------------------------
- */
+/* ---- heights ------------------------------------------------------------------------------------------- */
 
 /* The top of a character's outline; `otherwise` when it has none. */
 static double measure_top(const mt_font *font, FT_ULong code_point, double otherwise) {
@@ -122,8 +118,7 @@ static void measure_heights(const mt_font *font, mt_metrics *metrics) {
     if (metrics->cap_height <= 0) metrics->cap_height = measure_top(font, 'H', 0.7 * em);
 }
 
-/* ---- the underline and the slant --------------------------------------------------------------------------
- */
+/* ---- the underline and the slant ----------------------------------------------------------------------- */
 
 static void read_post(const mt_font *font, mt_metrics *metrics) {
     const TT_Postscript *post = FT_Get_Sfnt_Table(font->face, FT_SFNT_POST);
@@ -147,8 +142,7 @@ static void read_post(const mt_font *font, mt_metrics *metrics) {
     metrics->monospaced = FT_IS_FIXED_WIDTH(font->face) != 0;
 }
 
-/* ---- weight and width -------------------------------------------------------------------------------------
- */
+/* ---- weight and width ---------------------------------------------------------------------------------- */
 
 /* The weight class that a Type 1 font's Weight stands for. */
 static double weight_by_name(const char *name) {
@@ -201,8 +195,7 @@ static void read_panose(const mt_font *font, const TT_OS2 *os2, mt_metrics *metr
     if (mt_font_axis(font, MT_TAG('w', 'g', 'h', 't'), &weight)) metrics->panose[MT_PANOSE_WEIGHT] = 0;
 }
 
-/* ---- all of them ------------------------------------------------------------------------------------------
- */
+/* ---- all of them --------------------------------------------------------------------------------------- */
 
 void mt_font_read_metrics(mt_font *font) {
     const TT_OS2 *os2 = find_os2(font);

@@ -26,8 +26,7 @@ typedef struct mt_name_table {
     size_t length, count, strings; /* where the strings start */
 } mt_name_table;
 
-/* ---- text -------------------------------------------------------------------------------------------------
- */
+/* ---- text ---------------------------------------------------------------------------------------------- */
 
 /* The upper half of Mac Roman, as Apple publishes it. */
 static const uint16_t mac_roman[128] = {
@@ -49,8 +48,7 @@ static uint32_t next_char(const mt_text *text, size_t *at) {
     return text->encoding == MAC_ROMAN && byte >= 0x80 ? mac_roman[byte - 0x80] : byte;
 }
 
-/* UTF-8, without control characters: a line break or a tab becomes a space. NULL in *copy for an empty text.
- */
+/* UTF-8, without control characters: a line break or a tab becomes a space. NULL in *copy for an empty text. */
 static mt_status copy_text(const mt_text *text, const char **copy) {
     char *to = mt_new(text->length + 1,
                       3); /* one byte becomes at most two, two bytes at most three, four at most four */
@@ -69,8 +67,7 @@ static mt_status copy_text(const mt_text *text, const char **copy) {
     return MT_OK;
 }
 
-/* ---- the 'name' table (OpenType spec, "name - Naming Table") ----------------------------------------------
- */
+/* ---- the 'name' table (OpenType spec, "name - Naming Table") ------------------------------------------- */
 
 static mt_status load_table(mt_font *font, mt_name_table *table) {
     FT_ULong length = 0;
@@ -143,8 +140,7 @@ static mt_status read_table(const mt_name_table *table, int instance_name, mt_na
     return status;
 }
 
-/* ---- other formats ----------------------------------------------------------------------------------------
- */
+/* ---- other formats ------------------------------------------------------------------------------------- */
 
 static mt_status copy_latin1(const char *text, const char **copy) {
     if (!text || *copy) return MT_OK;
@@ -164,8 +160,7 @@ static mt_status read_others(const mt_font *font, mt_names *names) {
     return status;
 }
 
-/* ---- the handle's -----------------------------------------------------------------------------------------
- */
+/* ---- the handle's -------------------------------------------------------------------------------------- */
 
 mt_status mt_font_read_names(mt_font *font) {
     mt_name_table table;

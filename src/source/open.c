@@ -8,8 +8,7 @@
 #include "geometry/limits.h"
 #include "sfnt/sfnt.h"
 
-/* ---- the stages of opening --------------------------------------------------------------------------------
- */
+/* ---- the stages of opening ----------------------------------------------------------------------------- */
 
 static mt_status open_face(mt_font *font) {
     FT_Face probe;
@@ -80,8 +79,7 @@ void mt_font_close(mt_font *font) {
     mt_free(font);
 }
 
-/* ---- what it is -------------------------------------------------------------------------------------------
- */
+/* ---- what it is ---------------------------------------------------------------------------------------- */
 
 const char *mt_font_spec(const mt_font *font) {
     return font->text;
@@ -100,8 +98,7 @@ int mt_font_glyph_count(const mt_font *font) {
     return (int)(count < MT_GLYPHS_MAX ? count : MT_GLYPHS_MAX);
 }
 
-/* ---- characters -------------------------------------------------------------------------------------------
- */
+/* ---- characters ---------------------------------------------------------------------------------------- */
 
 enum { LAST_CHAR = 0x10FFFF, FIRST_SURROGATE = 0xD800, LAST_SURROGATE = 0xDFFF };
 

@@ -2,8 +2,7 @@
  *
  * FreeType gives integer font units. Decomposed with a shift of one bit, the on-curve points that a TrueType
  * outline implies half-way between two off-curve ones are whole numbers too, so that rounding happens once:
- * on the way to the grid.
- */
+ * on the way to the grid. */
 #include "source/handle.h"
 
 #include FT_ADVANCES_H
@@ -68,8 +67,7 @@ static int finish_contour(mt_pen *pen) {
     return 0;
 }
 
-/* ---- FreeType's callbacks ---------------------------------------------------------------------------------
- */
+/* ---- FreeType's callbacks ------------------------------------------------------------------------------ */
 
 static int move_to(const FT_Vector *to, void *user) {
     mt_pen *pen = user;
@@ -105,8 +103,7 @@ static int cubic_to(const FT_Vector *control0, const FT_Vector *control1, const 
     return fits ? add(pen, segment) : 1;
 }
 
-/* ---- a glyph ----------------------------------------------------------------------------------------------
- */
+/* ---- a glyph ------------------------------------------------------------------------------------------- */
 
 /* Each point starts at most one segment and each contour is closed by at most one more, so that the room is
  * known. */

@@ -1,7 +1,6 @@
 /* PANOSE, a typeface described by ten digits (OpenType spec, "OS/2": panose). What a digit means depends on the first,
  * the family kind. In all families 0 is "any" and 1 "no fit". */
-#ifndef MT_SOURCE_PANOSE_H
-#define MT_SOURCE_PANOSE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -18,5 +17,3 @@ enum {
  * digits that they have in common are kept, weight and contrast of a text face are mixed, since they are on a scale, and
  * every other digit is "any". */
 void mt_panose_mix(const uint8_t *a, const uint8_t *b, double t, uint8_t *mix);
-
-#endif

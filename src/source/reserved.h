@@ -1,6 +1,5 @@
 /* Names that a font keeps for itself, and whether another name has one in it. */
-#ifndef MT_SOURCE_RESERVED_H
-#define MT_SOURCE_RESERVED_H
+#pragma once
 
 #include "base/memory.h"
 #include "source/font.h"
@@ -25,5 +24,3 @@ const char *mt_reserved_in(const mt_reserved *reserved, const char *name);
 
 /* Where a text has a phrase of lower-case letters and spaces, whatever the text's case; NULL when it has not. */
 const char *mt_find_phrase(const char *text, const char *phrase);
-
-#endif

@@ -2,10 +2,8 @@
  *
  * A file's own name may hold # and @. FILE is therefore the longest start of the text that ends before a # or
  * an @, or at the text's end, and names something that exists and is no directory; what follows it is read as
- * the face and the axes.
- */
-#ifndef MT_SOURCE_SPEC_H
-#define MT_SOURCE_SPEC_H
+ * the face and the axes. */
+#pragma once
 
 #include "morphotype.h"
 
@@ -27,5 +25,3 @@ typedef struct mt_spec {
  * MT_BAD_AXIS for a malformed or doubled setting, MT_NO_MEMORY. */
 mt_status mt_spec_parse(const char *text, mt_spec *spec);
 void mt_spec_clear(mt_spec *spec);
-
-#endif

@@ -1,6 +1,5 @@
 /* Variation sequences: a character and a selector after it, and the glyph that they lead to ('cmap' format 14). */
-#ifndef MT_SOURCE_VARIATION_SEQUENCES_H
-#define MT_SOURCE_VARIATION_SEQUENCES_H
+#pragma once
 
 #include "base/memory.h"
 #include "source/font.h"
@@ -22,5 +21,3 @@ mt_status mt_font_variation_sequences(mt_font *font, mt_arena *arena, mt_variati
 /* The sequence of a selector and a character; NULL when there is none. */
 const mt_variation_sequence *mt_variation_sequences_find(const mt_variation_sequences *variants,
                                                          uint32_t selector, uint32_t code_point);
-
-#endif

@@ -1,6 +1,5 @@
 /* The specimen's page, as specimen/embed.py makes it of page.html, style.css and script.js: markup with slots. */
-#ifndef MT_SPECIMEN_PAGE_H
-#define MT_SPECIMEN_PAGE_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -21,5 +20,3 @@ typedef struct mt_specimen_part {
 } mt_specimen_part;
 
 extern const mt_specimen_part mt_specimen_parts[];
-
-#endif

@@ -6,8 +6,7 @@
  *     data.c      all this as the page's script reads it
  *     page.h      the page itself, made by page/embed.py of page.html, style.css and the scripts there
  */
-#ifndef MT_SPECIMEN_SPECIMEN_H
-#define MT_SPECIMEN_SPECIMEN_H
+#pragma once
 
 #include "report/report.h"
 
@@ -54,5 +53,3 @@ mt_status mt_specimen_html(const mt_specimen *specimen, mt_buffer *text);
 bool mt_specimen_is_page(const char *path);
 /* Makes the font and the page, and writes it to `path`, whole or not at all. What mt_variable_make and mt_file_write give. */
 mt_status mt_specimen_save(const mt_specimen_request *request, const char *path);
-
-#endif

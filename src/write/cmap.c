@@ -32,8 +32,7 @@ static int count_bmp(const mt_font_data *data, int *segments) {
     return end;
 }
 
-/* ---- format 4 ---------------------------------------------------------------------------------------------
- */
+/* ---- format 4 ------------------------------------------------------------------------------------------ */
 
 /* The three numbers that help a binary search over `count` segments. */
 static void write_search(int count, mt_table *table) {
@@ -71,8 +70,7 @@ static void write_format4(const mt_font_data *data, int limit, int segments, mt_
     mt_table_zeros(table, 2 * count); /* idRangeOffset: the glyphs come from the deltas */
 }
 
-/* ---- format 12 --------------------------------------------------------------------------------------------
- */
+/* ---- format 12 ----------------------------------------------------------------------------------------- */
 
 static int count_groups(const mt_font_data *data) {
     int count = 0;
@@ -95,8 +93,7 @@ static void write_format12(const mt_font_data *data, mt_table *table) {
     }
 }
 
-/* ---- the table --------------------------------------------------------------------------------------------
- */
+/* ---- the table ----------------------------------------------------------------------------------------- */
 
 static void write_record(int platform, int encoding, int offset, mt_table *table) {
     mt_table_16(table, platform);

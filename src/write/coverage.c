@@ -17,8 +17,7 @@ static void set_bit(uint32_t *bits, int bit) {
     bits[bit / 32] |= 1u << bit % 32;
 }
 
-/* ---- Unicode ranges ---------------------------------------------------------------------------------------
- */
+/* ---- Unicode ranges ------------------------------------------------------------------------------------ */
 
 enum { BEYOND_BMP = 57 };
 
@@ -67,8 +66,7 @@ static const struct {
     {0xE0000, 0xE007F, 92},  {0xE0100, 0xE01EF, 91},  {0xF0000, 0xFFFFD, 90},  {0x100000, 0x10FFFD, 90},
 };
 
-/* One pass over the characters and the blocks, both ascending. A bit is set by any character of its blocks.
- */
+/* One pass over the characters and the blocks, both ascending. A bit is set by any character of its blocks. */
 void mt_unicode_ranges(const mt_char *chars, int count, uint32_t bits[4]) {
     const size_t range_count = sizeof ranges / sizeof *ranges;
     for (int i = 0; i < 4; i++) bits[i] = 0;
@@ -81,8 +79,7 @@ void mt_unicode_ranges(const mt_char *chars, int count, uint32_t bits[4]) {
     }
 }
 
-/* ---- code pages -------------------------------------------------------------------------------------------
- */
+/* ---- code pages ---------------------------------------------------------------------------------------- */
 
 /* A code page counts as covered when the font has these of its characters, which few other pages have. */
 static const struct {

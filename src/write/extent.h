@@ -1,6 +1,5 @@
 /* How far the glyphs of a font in writing reach, and how much they hold when their references are followed. */
-#ifndef MT_WRITE_EXTENT_H
-#define MT_WRITE_EXTENT_H
+#pragma once
 
 #include "write/font_data.h"
 
@@ -35,5 +34,3 @@ mt_status mt_glyf_extent(const mt_glyf *glyph, const mt_extent *extents, mt_exte
 /* Of all glyphs. MT_TOO_LARGE; MT_BAD_PARAMETER where a reference leads to no glyph, deeper than MT_GLYF_DEPTH_MAX or
  * round in a circle. */
 mt_status mt_extents_fill(const mt_glyf *glyphs, int count, mt_extent *extents);
-
-#endif

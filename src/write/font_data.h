@@ -1,6 +1,5 @@
 /* A font in writing, as plain data. */
-#ifndef MT_WRITE_FONT_DATA_H
-#define MT_WRITE_FONT_DATA_H
+#pragma once
 
 #include "sfnt/axis_data.h"
 #include "sfnt/sfnt.h"
@@ -71,5 +70,3 @@ typedef struct mt_font_data {
     const char *family, *style, *unique_id, *version, *copyright, *license, *license_url, *description,
         *designer, *trademark;
 } mt_font_data;
-
-#endif

@@ -1,8 +1,7 @@
 /* The outlines: 'glyf' and 'loca' (OpenType spec, "glyf - Glyph Data").
  *
  * A point's flag says for each axis how its difference from the point before is stored: not at all when it is
- * 0, as a byte and a sign up to 255, or else in 16 bits. Equal flags in a row are stored once, with a count.
- */
+ * 0, as a byte and a sign up to 255, or else in 16 bits. Equal flags in a row are stored once, with a count. */
 #include "write/tables.h"
 
 enum {

@@ -1,7 +1,6 @@
 /* Point numbers and deltas as 'gvar' packs them (OpenType spec, "Tuple variation store": packed point numbers, packed
  * deltas). */
-#ifndef MT_WRITE_GVAR_PACK_H
-#define MT_WRITE_GVAR_PACK_H
+#pragma once
 
 #include "sfnt/table.h"
 
@@ -9,5 +8,3 @@
 void mt_pack_points(const bool *told, int count, mt_table *table);
 
 void mt_pack_deltas(const int16_t *deltas, int count, mt_table *table);
-
-#endif

@@ -1,7 +1,6 @@
 /* Which points of a glyph have to be told how they move: the others' moves are inferred from theirs ('gvar', "Inferred
  * deltas for un-referenced point numbers"). */
-#ifndef MT_WRITE_IUP_H
-#define MT_WRITE_IUP_H
+#pragma once
 
 #include "base/memory.h"
 #include "write/font_data.h"
@@ -16,5 +15,3 @@ typedef struct mt_move {
  * and one move for each point. MT_NO_MEMORY. */
 mt_status mt_iup_choose(const mt_glyf *glyph, const mt_move *moves, double tolerance, mt_arena *arena,
                         bool *told);
-
-#endif

@@ -1,6 +1,5 @@
 /* OS/2 usMaxContext: how many glyphs the font's layout looks at together, at most. */
-#ifndef MT_WRITE_MAX_CONTEXT_H
-#define MT_WRITE_MAX_CONTEXT_H
+#pragma once
 
 #include "sfnt/sfnt.h"
 #include "source/font.h"
@@ -9,5 +8,3 @@
  * ligature, the input and lookahead of a context. Attachment of marks and cursive letters does not count. What lies beyond
  * the table's end is passed over, and so is what comes after a million rules. */
 int mt_max_context(mt_bytes table, bool substitution);
-
-#endif

@@ -37,8 +37,7 @@ static void add_name(int id, const char *first, const char *second, mt_naming *n
     for (int i = 0; i < RECORD / 2; i++) mt_table_16(&naming->records, record[i]);
 }
 
-/* ---- the PostScript name ----------------------------------------------------------------------------------
- */
+/* ---- the PostScript name ------------------------------------------------------------------------------- */
 
 enum { POSTSCRIPT_MAX = MT_POSTSCRIPT_NAME_ROOM - 1, POSTSCRIPT_STYLE_MAX = 31 };
 
@@ -72,8 +71,7 @@ static void add_postscript_name(const mt_font_data *data, mt_naming *naming) {
     add_name(MT_NAME_POSTSCRIPT, name, NULL, naming);
 }
 
-/* ---- the axis ---------------------------------------------------------------------------------------------
- */
+/* ---- the axis ------------------------------------------------------------------------------------------ */
 
 /* Of the family alone, without what stands for another character. */
 static void add_axis_names(const mt_font_data *data, mt_naming *naming) {
@@ -86,8 +84,7 @@ static void add_axis_names(const mt_font_data *data, mt_naming *naming) {
         add_name(MT_NAME_PLACES + i, variation->named[i].name, NULL, naming);
 }
 
-/* ---- the table --------------------------------------------------------------------------------------------
- */
+/* ---- the table ----------------------------------------------------------------------------------------- */
 
 static void add_names(const mt_font_data *data, const mt_summary *summary, mt_naming *naming) {
     const char *linked = mt_linked_style(summary);

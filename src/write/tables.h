@@ -1,7 +1,6 @@
 /* The tables of a font in writing, one function each; only write.c calls them. `summary` is what several
  * tables need to know of all glyphs. Every size and count was checked before (write_check.c). */
-#ifndef MT_WRITE_TABLES_H
-#define MT_WRITE_TABLES_H
+#pragma once
 
 #include "sfnt/table.h"
 #include "write/extent.h"
@@ -73,5 +72,3 @@ bool mt_loca_is_long(const mt_font_data *data, const mt_summary *summary);
 void mt_unicode_ranges(const mt_char *chars, int count, uint32_t bits[4]);
 void mt_code_pages(const mt_char *chars, int count, uint32_t bits[2]);
 bool mt_has_char(const mt_char *chars, int count, uint32_t code_point);
-
-#endif

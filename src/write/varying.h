@@ -1,7 +1,6 @@
 /* The metrics of a varying font: what its default has, and HVAR, VVAR and MVAR with what each other stop adds to it.
  * Stops are those of var_store.h; each has its own metrics, of a whole font in the same glyphs and units. */
-#ifndef MT_WRITE_VARYING_H
-#define MT_WRITE_VARYING_H
+#pragma once
 
 #include "base/memory.h"
 #include "sfnt/sfnt.h"
@@ -23,5 +22,3 @@ mt_status mt_vvar_write(mt_glyf *const *stops, int stop_count, int glyph_count, 
  * vertical metrics. The caret's slope does not vary. In the arena; no bytes where nothing varies. MT_NO_MEMORY,
  * MT_TOO_LARGE. */
 mt_status mt_mvar_write(const mt_metrics *stops, int stop_count, mt_arena *arena, mt_bytes *mvar);
-
-#endif

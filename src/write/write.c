@@ -41,8 +41,7 @@ static mt_status write_tables(const mt_font_data *data, mt_summary *summary, mt_
     return MT_OK;
 }
 
-/* ---- the container ----------------------------------------------------------------------------------------
- */
+/* ---- the container ------------------------------------------------------------------------------------- */
 
 /* A table that was left empty is none of this font's. */
 static bool add_table(hb_face_t *builder, hb_tag_t tag, mt_bytes table) {
@@ -83,8 +82,7 @@ static mt_status assemble(const mt_font_data *data, const mt_table *tables, cons
     return status;
 }
 
-/* ---- the whole --------------------------------------------------------------------------------------------
- */
+/* ---- the whole ----------------------------------------------------------------------------------------- */
 
 static mt_status begin_summary(const mt_font_data *data, mt_summary *summary) {
     size_t glyphs = (size_t)data->glyph_count;

@@ -1,6 +1,5 @@
 /* Time, for benchmarks. */
-#ifndef MT_BENCH_CLOCK_H
-#define MT_BENCH_CLOCK_H
+#pragma once
 
 #include <time.h>
 
@@ -10,5 +9,3 @@ static inline double mt_clock(void) {
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return 1e6 * (double)now.tv_sec + 1e-3 * (double)now.tv_nsec;
 }
-
-#endif

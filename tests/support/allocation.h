@@ -1,6 +1,5 @@
 /* An allocator under memory.h that counts blocks and fails on demand. */
-#ifndef MT_TEST_ALLOCATION_H
-#define MT_TEST_ALLOCATION_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -15,5 +14,3 @@ void mt_allocation_succeed(void);
 
 long mt_allocation_live(void);     /* blocks handed out and not given back */
 long mt_allocation_requests(void); /* since mt_allocation_watch, failed ones included */
-
-#endif

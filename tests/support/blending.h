@@ -1,6 +1,5 @@
 /* The positions of two fonts blended, and HarfBuzz's widths of texts in the blend and in both. */
-#ifndef MT_TEST_BLENDING_H
-#define MT_TEST_BLENDING_H
+#pragma once
 
 #include <hb.h>
 
@@ -66,5 +65,3 @@ mt_bytes mt_test_one_lookup(uint32_t script, uint32_t feature, int type, const m
  * more table unless that is empty. */
 void mt_test_save_blank(const char *path, int units, uint32_t first, int count, uint32_t tag, mt_bytes table,
                         mt_arena *arena);
-
-#endif

@@ -1,6 +1,5 @@
 /* What every test includes: cmocka, memory that is simply there, and checks that say what they failed on. */
-#ifndef MT_TEST_CHECK_H
-#define MT_TEST_CHECK_H
+#pragma once
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -28,5 +27,3 @@ typedef struct mt_subject {
 #define mt_require(condition, subject)                                                                       \
     ((condition) ? (void)0 : mt_test_fail(#condition, (subject), __FILE__, __LINE__))
 void mt_test_fail(const char *condition, const mt_subject *subject, const char *file, int line);
-
-#endif

@@ -1,6 +1,5 @@
 /* Sets of characters on a test program's command line. */
-#ifndef MT_TEST_CODE_POINTS_H
-#define MT_TEST_CODE_POINTS_H
+#pragma once
 
 #include <stdint.h>
 
@@ -11,5 +10,3 @@ int mt_test_code_points(int count, char **arguments, uint32_t *code_points, int 
 
 /* How many of the code points the fonts FILE[#FACE] both have, as FreeType alone reads them; -1 where one cannot be read. */
 int mt_test_count_in_both(const char *a, const char *b, const uint32_t *code_points, int count);
-
-#endif

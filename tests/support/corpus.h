@@ -5,8 +5,7 @@
  *     drawing NAME        rings as drawn: crossing, backwards, without area
  *     0,0 100,0 100,100   one ring a line, "x,y" a point; the shape ends at the next one
  */
-#ifndef MT_TEST_CORPUS_H
-#define MT_TEST_CORPUS_H
+#pragma once
 
 #include "geometry/ring.h"
 
@@ -31,5 +30,3 @@ mt_corpus mt_corpus_read(mt_arena *arena);
 const mt_rings *mt_corpus_find(const mt_corpus *corpus, const char *name);
 
 void mt_corpus_print(FILE *file, const char *name, const mt_rings *rings);
-
-#endif

@@ -1,6 +1,5 @@
 /* Outlines of Béziers, evaluated point by point. */
-#ifndef MT_TEST_CURVES_H
-#define MT_TEST_CURVES_H
+#pragma once
 
 #include "geometry/outline.h"
 #include "support/random.h"
@@ -23,5 +22,3 @@ mt_contour mt_random_contour(mt_random *random, mt_arena *arena, int count, int 
 
 /* An outline of one contour. */
 mt_outline mt_curves_outline(mt_arena *arena, const mt_contour *contour);
-
-#endif

@@ -1,6 +1,5 @@
 /* The Debian fonts that tests read: fonts-dejavu-core, fonts-wqy-zenhei, fonts-arphic-ukai. */
-#ifndef MT_TEST_FONTS_H
-#define MT_TEST_FONTS_H
+#pragma once
 
 #include "source/font.h"
 
@@ -17,5 +16,3 @@ extern const uint32_t mt_test_latin[];
 extern const int mt_test_latin_count;
 extern const uint32_t mt_test_han[];
 extern const int mt_test_han_count;
-
-#endif

@@ -1,6 +1,5 @@
 /* A font with nothing in it but advances and GPOS: for the tests of layout. */
-#ifndef MT_TEST_GPOS_H
-#define MT_TEST_GPOS_H
+#pragma once
 
 #include "glyphset/charset.h"
 #include "layout/lookup_builder.h"
@@ -16,5 +15,3 @@ typedef struct mt_test_varying {
 /* A font of blank glyphs for the characters of the charset, with these tables. */
 mt_bytes mt_test_layout_font(const mt_charset *charset, int units, const uint16_t *advances, mt_bytes gdef,
                              mt_bytes gpos, mt_test_varying varying, mt_arena *arena);
-
-#endif

@@ -1,6 +1,5 @@
 /* GSUB tables for tests, in the making, and small fonts that have one. */
-#ifndef MT_TEST_GSUB_H
-#define MT_TEST_GSUB_H
+#pragma once
 
 #include "base/memory.h"
 #include "write/font_data.h"
@@ -24,5 +23,3 @@ mt_bytes mt_test_gsub(const mt_test_lookup *lookups, int count, bool extended, m
  * `names` may be NULL. Saved as `path` and opened. */
 mt_font *mt_test_gsub_font(const char *path, int glyph_count, const char *chars, const char **names,
                            mt_bytes gsub, mt_arena *arena);
-
-#endif

@@ -1,6 +1,5 @@
 /* Morphs of contours that move on straight ways, as the last stages of the engine have them, and what these do to them. */
-#ifndef MT_TEST_MOVES_H
-#define MT_TEST_MOVES_H
+#pragma once
 
 #include "morph/check/mend.h"
 
@@ -21,5 +20,3 @@ double mt_test_displacement(const mt_morph *morph, int contour);
 
 /* Checks that at T = 0 and 1 the blend has the area and the box of A, and of B. */
 void mt_test_ends_stay(mt_arena *arena, const mt_morph *morph);
-
-#endif

@@ -1,7 +1,6 @@
 /* Slow and plain answers to the questions that the geometry answers fast. Nothing here calls the code
  * under test. */
-#ifndef MT_TEST_ORACLE_H
-#define MT_TEST_ORACLE_H
+#pragma once
 
 #include "geometry/ring.h"
 
@@ -58,5 +57,3 @@ int mt_oracle_hull(const mt_spot *spots, int n, mt_spot *hull);
 /* Grid units, all rings. */
 double mt_oracle_length(const mt_rings *rings);
 double mt_oracle_shape_length(const mt_shape *shape);
-
-#endif

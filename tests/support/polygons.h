@@ -1,6 +1,5 @@
 /* Random polygons that are awkward on purpose. */
-#ifndef MT_TEST_POLYGONS_H
-#define MT_TEST_POLYGONS_H
+#pragma once
 
 #include "geometry/ring.h"
 #include "support/random.h"
@@ -44,5 +43,3 @@ mt_shape mt_test_shape_moved(mt_arena *arena, const mt_shape *shape, int factor,
 
 /* All rings of a shape in one list. */
 mt_rings mt_test_all_rings(mt_arena *arena, const mt_shape *shape);
-
-#endif

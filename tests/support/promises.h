@@ -1,6 +1,5 @@
 /* What a triangulation and a decomposition promise, checked by brute force: exact, without tolerance. */
-#ifndef MT_TEST_PROMISES_H
-#define MT_TEST_PROMISES_H
+#pragma once
 
 #include "geometry/triangulate.h"
 #include "support/check.h"
@@ -16,5 +15,3 @@ void mt_check_mesh(const mt_component *component, const mt_mesh *mesh, const mt_
  * holes from ⌈r/2⌉ + 1 - h to 2r + 1 - h pieces. (Cutting with d diagonals gives d + 1 - h pieces; each
  * reflex vertex needs one diagonal and keeps at most two.) */
 void mt_check_pieces(const mt_component *component, const mt_pieces *pieces, const mt_subject *subject);
-
-#endif

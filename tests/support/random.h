@@ -2,8 +2,7 @@
  *
  * The environment variable MT_SEED sets the seed, MT_CASES multiplies the number of cases: MT_SEED=7
  * MT_CASES=100. */
-#ifndef MT_TEST_RANDOM_H
-#define MT_TEST_RANDOM_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -28,5 +27,3 @@ int mt_random_between(mt_random *random, int low, int high);    /* both inclusiv
 double mt_random_unit(mt_random *random);                       /* 0 … 1, without 1 */
 mt_point mt_random_point(mt_random *random, int low, int high); /* x, then y: compilers differ otherwise */
 bool mt_random_one_in(mt_random *random, int n);
-
-#endif

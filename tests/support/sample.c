@@ -8,8 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* ---- the font ---------------------------------------------------------------------------------------------
- */
+/* ---- the font ------------------------------------------------------------------------------------------ */
 
 mt_glyf mt_sample_glyph(mt_arena *arena, const int16_t (*points)[2], int count, bool on, uint16_t advance) {
     mt_glyf glyph = {.advance = advance, .contour_count = 1};
@@ -96,8 +95,7 @@ mt_font_data mt_sample_font(mt_arena *arena) {
     return data;
 }
 
-/* ---- files ------------------------------------------------------------------------------------------------
- */
+/* ---- files --------------------------------------------------------------------------------------------- */
 
 char *mt_sample_path(mt_arena *arena, const char *directory, const char *name) {
     size_t size = strlen(directory) + strlen(name) + 2;
@@ -155,8 +153,7 @@ uint8_t *mt_sample_load(mt_arena *arena, const char *path, size_t *length) {
     return bytes;
 }
 
-/* ---- tables -----------------------------------------------------------------------------------------------
- */
+/* ---- tables -------------------------------------------------------------------------------------------- */
 
 const uint8_t *mt_sample_table(const uint8_t *bytes, const char *tag, size_t *length) {
     for (unsigned i = 0; i < mt_read_u16(bytes + 4); i++) {

@@ -1,6 +1,5 @@
 /* A small font for the tests of reading and writing: as data, as bytes and as a file. */
-#ifndef MT_TEST_SAMPLE_H
-#define MT_TEST_SAMPLE_H
+#pragma once
 
 #include "base/memory.h"
 #include "write/font_data.h"
@@ -27,5 +26,3 @@ uint8_t *mt_sample_load(mt_arena *arena, const char *path, size_t *length);
 
 /* Where a table lies in a font's bytes; NULL when it has none of that name. */
 const uint8_t *mt_sample_table(const uint8_t *bytes, const char *tag, size_t *length);
-
-#endif

@@ -1,6 +1,5 @@
 /* What HarfBuzz makes of a text: where each glyph lies, and what it is attached to. */
-#ifndef MT_TEST_SHAPING_H
-#define MT_TEST_SHAPING_H
+#pragma once
 
 #include <hb.h>
 #include <stdbool.h>
@@ -24,5 +23,3 @@ hb_font_t *mt_shaping_font(const uint8_t *bytes, size_t length);
 
 /* Shapes up to MT_SHAPED_MAX characters, each by its own glyph: nothing is composed or decomposed. */
 mt_shaped mt_shape_text(hb_font_t *font, hb_script_t script, const uint32_t *text, int count);
-
-#endif

@@ -1,6 +1,5 @@
 /* Oracles for Minkowski sums that know nothing of convex pieces or of merging edges. */
-#ifndef MT_TEST_SUMS_H
-#define MT_TEST_SUMS_H
+#pragma once
 
 #include "geometry/minkowski.h"
 #include "support/oracle.h"
@@ -13,5 +12,3 @@ int mt_sums_hull(const mt_ring *p, const mt_ring *q, mt_weights weights, mt_spot
  * in the sum when aA and x - bB have a point in common: two edges meet, or a corner of one lies in the
  * other. Exact when it is 0. */
 double mt_sums_distance(const mt_shape *a, const mt_shape *b, mt_weights weights, mt_point x);
-
-#endif

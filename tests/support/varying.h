@@ -1,6 +1,5 @@
 /* Fonts that vary along one axis, put together by the tests. */
-#ifndef MT_TEST_VARYING_H
-#define MT_TEST_VARYING_H
+#pragma once
 
 #include <hb.h>
 
@@ -15,5 +14,3 @@ mt_bytes mt_test_gvar(int glyph_count, mt_arena *arena);
 
 /* Puts the font at a place of the axis, 0 … 1. */
 void mt_test_place_on_axis(hb_font_t *font, double place);
-
-#endif

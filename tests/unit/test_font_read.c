@@ -75,8 +75,7 @@ static mt_outline outline_of(mt_font *font, uint32_t code_point, double *advance
     return outline;
 }
 
-/* ---- outlines ---------------------------------------------------------------------------------------------
- */
+/* ---- outlines ------------------------------------------------------------------------------------------ */
 
 static void assert_segment(const mt_segment *segment, int degree, int cx, int cy, int x, int y) {
     assert_int_equal(segment->degree, degree);
@@ -101,8 +100,7 @@ static void lines_and_the_closing_line(void **state) {
     mt_font_close(font);
 }
 
-/* Points half-way between two off-curve ones are not rounded to font units: 246.5 and 250.5 are among them.
- */
+/* Points half-way between two off-curve ones are not rounded to font units: 246.5 and 250.5 are among them. */
 static void curves_of_off_curve_points(void **state) {
     (void)state;
     double advance;
@@ -183,8 +181,7 @@ static void glyphs_that_are_not_there(void **state) {
     mt_font_close(font);
 }
 
-/* ---- characters -------------------------------------------------------------------------------------------
- */
+/* ---- characters ---------------------------------------------------------------------------------------- */
 
 static void characters_in_order(void **state) {
     (void)state;
@@ -209,8 +206,7 @@ static void characters_in_order(void **state) {
     mt_font_close(font);
 }
 
-/* ---- names and figures ------------------------------------------------------------------------------------
- */
+/* ---- names and figures --------------------------------------------------------------------------------- */
 
 static void names_come_back(void **state) {
     (void)state;
@@ -291,8 +287,7 @@ static void utf8_there_and_back(void **state) {
     }
 }
 
-/* ---- files that are none ----------------------------------------------------------------------------------
- */
+/* ---- files that are none ------------------------------------------------------------------------------- */
 
 static void files_that_are_no_fonts(void **state) {
     (void)state;
@@ -396,8 +391,7 @@ static void faces_and_axes_that_are_not_there(void **state) {
     assert_fails(mt_sample_path(&arena, directory, "sample.ttf@wght=bold"), MT_BAD_AXIS);
 }
 
-/* ---- the formats ------------------------------------------------------------------------------------------
- */
+/* ---- the formats --------------------------------------------------------------------------------------- */
 
 /* The sample font as WOFF (W3C, "WOFF File Format 1.0"), its tables stored as they are. */
 static void put32(uint8_t *to, size_t value) {
@@ -525,8 +519,7 @@ static void type1(void **state) {
     mt_font_close(font);
 }
 
-/* ---- hostile bytes and want of memory ---------------------------------------------------------------------
- */
+/* ---- hostile bytes and want of memory ------------------------------------------------------------------ */
 
 /* Whatever the bytes, a font is refused or read; the sanitizers see to the rest. */
 static void random_damage(void **state) {

@@ -59,8 +59,7 @@ static int16_t read_i16(const uint8_t *bytes) {
     return (int16_t)mt_read_u16(bytes);
 }
 
-/* ---- the container ----------------------------------------------------------------------------------------
- */
+/* ---- the container ------------------------------------------------------------------------------------- */
 
 static uint32_t checksum(const uint8_t *bytes, size_t length) {
     uint32_t sum = 0;
@@ -97,8 +96,7 @@ static void same_input_same_bytes(void **state) {
     mt_bytes_free(second);
 }
 
-/* ---- outlines ---------------------------------------------------------------------------------------------
- */
+/* ---- outlines ------------------------------------------------------------------------------------------ */
 
 /* A glyph with differences of every size that glyf tells apart, and runs of equal flags longer than a repeat
  * counts. */
@@ -309,8 +307,7 @@ static void nothing_drawn(void **state) {
     mt_bytes_free(bytes);
 }
 
-/* ---- metrics ----------------------------------------------------------------------------------------------
- */
+/* ---- metrics ------------------------------------------------------------------------------------------- */
 
 static void trailing_advances_are_shared(void **state) {
     (void)state;
@@ -502,8 +499,7 @@ static void coverage_is_told(void **state) {
     mt_bytes_free(bytes);
 }
 
-/* ---- characters -------------------------------------------------------------------------------------------
- */
+/* ---- characters ---------------------------------------------------------------------------------------- */
 
 /* `count` characters from `first`, `step` apart, all on glyph 1, then U+1F600. */
 static void map_many(mt_font_data *data, uint32_t first, uint32_t step, int count) {
@@ -563,8 +559,7 @@ static void characters_beyond_format_4(void **state) {
     assert_maps(&data);
 }
 
-/* ---- names ------------------------------------------------------------------------------------------------
- */
+/* ---- names --------------------------------------------------------------------------------------------- */
 
 /* The name's text, each UTF-16 unit beyond ASCII as '?'; NULL when there is none. */
 static const char *find_name(const uint8_t *bytes, int id) {
@@ -651,8 +646,7 @@ static void names_that_are_missing(void **state) {
     mt_bytes_free(bytes);
 }
 
-/* ---- what is refused --------------------------------------------------------------------------------------
- */
+/* ---- what is refused ----------------------------------------------------------------------------------- */
 
 static void bad_numbers(void **state) {
     (void)state;
@@ -723,8 +717,7 @@ static void bad_names(void **state) {
     mt_bytes_free(write_font(&data, &length));
 }
 
-/* ---- memory -----------------------------------------------------------------------------------------------
- */
+/* ---- memory -------------------------------------------------------------------------------------------- */
 
 static void tables_stay_failed(void **state) {
     (void)state;

@@ -1,6 +1,5 @@
 /* Aligning the boundaries of two matched components, ring by ring: the place on one ring that goes with each place of the other. */
-#ifndef MT_MORPH_ALIGN_ALIGN_H
-#define MT_MORPH_ALIGN_ALIGN_H
+#pragma once
 
 #include "morph/align/cost.h"
 #include "morph/model/morph.h"
@@ -25,5 +24,3 @@ mt_status mt_pins_of(const mt_hints *hints, const mt_ring_samples *a, const mt_r
 
 /* Whether each step advances one ring or both, by one sample, and each ring goes once around. Linear. */
 bool mt_alignment_is_valid(const mt_alignment *alignment);
-
-#endif

@@ -1,6 +1,5 @@
 /* Assigning rows to columns at the least cost in all. */
-#ifndef MT_MORPH_ALIGN_ASSIGN_H
-#define MT_MORPH_ALIGN_ASSIGN_H
+#pragma once
 
 #include "base/memory.h"
 #include "morphotype.h"
@@ -8,5 +7,3 @@
 /* Assigns min(rows, columns) rows to as many columns, one to one, with the least sum of costs[row × columns + column], which are
  * finite. column_of[row] is -1 for a row that is left over. MT_NO_MEMORY. */
 mt_status mt_assign(const double *costs, int rows, int columns, mt_arena *arena, int *column_of);
-
-#endif

@@ -1,7 +1,6 @@
 /* Costs and contour pairs of rings that were aligned before: from one division, and from one set of settings, to the next most rings
  * stay the same. */
-#ifndef MT_MORPH_ALIGN_CACHE_H
-#define MT_MORPH_ALIGN_CACHE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -38,5 +37,3 @@ const mt_cache_entry *mt_alignment_cache_find(const mt_alignment_cache *cache, c
 /* Adds an entry; `pair` is NULL for a cost alone. Does nothing where `cache` is NULL. MT_NO_MEMORY. */
 mt_status mt_alignment_cache_add(mt_alignment_cache *cache, const mt_cache_key *key, double cost,
                                  const mt_contour_pair *pair, mt_arena *arena);
-
-#endif

@@ -1,6 +1,5 @@
 /* The cost of pairing two samples: one with one, and one with many at once. */
-#ifndef MT_MORPH_ALIGN_COST_H
-#define MT_MORPH_ALIGN_COST_H
+#pragma once
 
 #include <math.h>
 
@@ -40,5 +39,3 @@ mt_status mt_columns_of(const mt_sample_view *views, int count, mt_arena *arena,
 /* mt_step_cost of one sample with each of those from `first` up to `end`, into the same places of `costs`. */
 void mt_step_costs(const mt_cost_weights *weights, const mt_sample_view *view, const mt_columns *columns,
                    int first, int end, float *costs);
-
-#endif

@@ -1,6 +1,5 @@
 /* Pairs of rings of two sides: those that align at the least cost in all. */
-#ifndef MT_MORPH_ALIGN_PAIRING_H
-#define MT_MORPH_ALIGN_PAIRING_H
+#pragma once
 
 #include "morph/align/align.h"
 
@@ -23,5 +22,3 @@ mt_status mt_pair_cost(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box 
 
 /* The outer rings of a shape's components, in its glyph's box. MT_NO_MEMORY. */
 mt_status mt_outer_rings(const mt_shape *shape, mt_box box, mt_arena *arena, mt_ring_list *list);
-
-#endif

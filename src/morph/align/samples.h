@@ -1,6 +1,5 @@
 /* Places on a ring at which boundaries are compared. */
-#ifndef MT_MORPH_ALIGN_SAMPLES_H
-#define MT_MORPH_ALIGN_SAMPLES_H
+#pragma once
 
 #include "geometry/trace.h"
 
@@ -27,5 +26,3 @@ mt_status mt_ring_samples_of(const mt_trace *trace, double flatness, double step
 /* The samples of a ring by itself: its vertices, and at least `least` in all. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_ring_samples_at_least(const mt_ring *ring, double flatness, double least, mt_arena *arena,
                                    mt_ring_samples *samples);
-
-#endif

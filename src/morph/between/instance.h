@@ -1,6 +1,5 @@
 /* One place between two shapes, out of a prepared morph (section 2.3 of the paper). */
-#ifndef MT_MORPH_BETWEEN_INSTANCE_H
-#define MT_MORPH_BETWEEN_INSTANCE_H
+#pragma once
 
 #include "morph/model/morph.h"
 
@@ -21,5 +20,3 @@ mt_status mt_morph_outline(const mt_morph *morph, mt_weights weights, const mt_p
 /* The outline of a shape by itself, curves fitted as in a blend. MT_NO_MEMORY. */
 mt_status mt_shape_outline(const mt_shape *shape, const mt_params *params, mt_arena *arena,
                            mt_outline *outline);
-
-#endif

@@ -1,6 +1,5 @@
 /* A link as one contour pair. */
-#ifndef MT_MORPH_BETWEEN_LINK_CONTOUR_H
-#define MT_MORPH_BETWEEN_LINK_CONTOUR_H
+#pragma once
 
 #include "morph/model/morph.h"
 
@@ -9,5 +8,3 @@
  * MT_TOO_LARGE. */
 mt_status mt_link_contour(const mt_ring *p, const mt_ring *q, double flatness, double tolerance,
                           mt_arena *arena, mt_contour_pair *masters);
-
-#endif

@@ -1,6 +1,5 @@
 /* Contours that meet at a cut made to overlap. */
-#ifndef MT_MORPH_BETWEEN_SEAM_OVERLAP_H
-#define MT_MORPH_BETWEEN_SEAM_OVERLAP_H
+#pragma once
 
 #include "morph/model/morph.h"
 
@@ -8,5 +7,3 @@
  * The ink of each side stays the same. The masters are copied. MT_NO_MEMORY. */
 mt_status mt_overlap_seams(const mt_morph *morph, double reach, mt_arena *arena,
                            mt_variable_outline *variable);
-
-#endif

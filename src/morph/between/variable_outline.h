@@ -1,7 +1,6 @@
 /* A morph as a variable outline: compatible masters for all of it, as a variable font stores them. An aligned component has its
  * contours; a link becomes one contour (link_contour.h). The ink is the nonzero union of all contours, at every r. */
-#ifndef MT_MORPH_BETWEEN_VARIABLE_OUTLINE_H
-#define MT_MORPH_BETWEEN_VARIABLE_OUTLINE_H
+#pragma once
 
 #include "morph/model/morph.h"
 
@@ -17,5 +16,3 @@ mt_status mt_variable_outline_at(const mt_morph *morph, const mt_variable_outlin
  * (5): 1 without rotation, 2 where a contour is displaced, MT_TURN_STEPS_MAX at most. */
 enum { MT_TURN_STEPS_MAX = 64 };
 int mt_variable_outline_steps(const mt_morph *morph, const mt_variable_outline *variable, double bound);
-
-#endif

@@ -1,6 +1,5 @@
 /* The components that the contours of a morph belong to, and displacing contours half-way. */
-#ifndef MT_MORPH_CHECK_CONTOUR_ORIGIN_H
-#define MT_MORPH_CHECK_CONTOUR_ORIGIN_H
+#pragma once
 
 #include "morph/model/morph.h"
 
@@ -24,5 +23,3 @@ void mt_shift_contour(mt_contour_pair *contour, mt_point by);
 
 /* The same for all contours i with numbers[i] == number. */
 void mt_shift(const mt_morph *morph, const int *numbers, int number, mt_point by);
-
-#endif

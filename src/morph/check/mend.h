@@ -1,6 +1,5 @@
 /* Repairing the topology of a morph: the state and the steps that its stages share. */
-#ifndef MT_MORPH_CHECK_MEND_H
-#define MT_MORPH_CHECK_MEND_H
+#pragma once
 
 #include "geometry/union.h"
 #include "morph/check/topology.h"
@@ -31,5 +30,3 @@ typedef mt_status (*mt_mend_place)(mt_mending *m, const void *stage, double t, b
 
 /* A stage at one place after the other: from half-way, where displacements are largest, outwards, as long as places are closed. */
 mt_status mt_mend_outwards(mt_mending *m, mt_mend_place mend, const void *stage);
-
-#endif

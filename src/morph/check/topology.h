@@ -1,6 +1,5 @@
 /* The topology of a drawing, and the topology error of a morph: how far in-betweens leave the range of both ends. */
-#ifndef MT_MORPH_CHECK_TOPOLOGY_H
-#define MT_MORPH_CHECK_TOPOLOGY_H
+#pragma once
 
 #include "morph/model/morph.h"
 
@@ -36,5 +35,3 @@ typedef struct mt_topology_error {
  * its ink, the nonzero rule of fonts draws ink. Takes the worse of the two; stops once the parts are `enough`. As mt_morph_blend. */
 mt_status mt_morph_topology_error(const mt_morph *morph, int enough, const mt_params *params, mt_arena *arena,
                                   mt_topology_error *by);
-
-#endif

@@ -1,7 +1,6 @@
 /* The boundary of a shape as a graph, onto which the rings of the other glyph are matched: along the rings from sample to sample,
  * across the ink over chords, and across white over jumps. */
-#ifndef MT_MORPH_DIVIDE_BOUNDARY_GRAPH_H
-#define MT_MORPH_DIVIDE_BOUNDARY_GRAPH_H
+#pragma once
 
 #include "geometry/triangulate.h"
 #include "morph/align/align.h"
@@ -55,5 +54,3 @@ int mt_boundary_ring(const mt_boundary *boundary, int sample);
 
 /* Whether samples, rings and chords are numbered consecutively, and chords lead to other samples at a positive cost. Linear. */
 bool mt_boundary_is_valid(const mt_boundary *boundary);
-
-#endif

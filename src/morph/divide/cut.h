@@ -1,6 +1,5 @@
 /* Cutting a triangulated component along some of its diagonals. */
-#ifndef MT_MORPH_DIVIDE_CUT_H
-#define MT_MORPH_DIVIDE_CUT_H
+#pragma once
 
 #include "geometry/triangulate.h"
 
@@ -15,5 +14,3 @@ typedef struct mt_cut_plan {
  * a cut's ends on slanted edges. Both ends of a cut are corners of both parts; other vertices that were not drawn are left out.
  * part_of[t] is the part of triangle t. MT_NO_MEMORY. */
 mt_status mt_cut(const mt_cut_plan *plan, mt_arena *arena, mt_shape *parts, int *part_of);
-
-#endif

@@ -1,6 +1,5 @@
 /* Cutting two glyphs once, each where the other has separate parts. */
-#ifndef MT_MORPH_DIVIDE_DIVISION_H
-#define MT_MORPH_DIVIDE_DIVISION_H
+#pragma once
 
 #include "morph/model/morph.h"
 #include "morph/model/settings.h"
@@ -19,5 +18,3 @@ mt_status mt_divide(const mt_side *a, const mt_side *b, const mt_hints *hints, c
 
 /* Whether the parts are a valid shape, and each partner is mutual. Linear. */
 bool mt_cut_side_is_valid(const mt_cut_side *cut, const mt_cut_side *other);
-
-#endif

@@ -1,6 +1,5 @@
 /* Lengthening parts into each other's ink beyond the cut between them. */
-#ifndef MT_MORPH_DIVIDE_EXTENDED_CUTS_H
-#define MT_MORPH_DIVIDE_EXTENDED_CUTS_H
+#pragma once
 
 #include "morph/divide/division.h"
 
@@ -9,5 +8,3 @@
  * before they were cut; the union of a side's parts stays the same. MT_NO_MEMORY. */
 mt_status mt_extend_cuts(const mt_shape *in_a, mt_cut_side *a, const mt_shape *in_b, mt_cut_side *b,
                          mt_arena *arena);
-
-#endif

@@ -1,6 +1,5 @@
 /* Cutting two glyphs until their parts correspond one to one, as far as they can. */
-#ifndef MT_MORPH_DIVIDE_RECONCILE_H
-#define MT_MORPH_DIVIDE_RECONCILE_H
+#pragma once
 
 #include "morph/divide/division.h"
 
@@ -8,5 +7,3 @@
  * sides at last are paired at any cost. `hints` is not NULL. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
 mt_status mt_reconcile(const mt_side *a, const mt_side *b, const mt_hints *hints, const mt_settings *settings,
                        mt_arena *arena, mt_cut_side *cut_a, mt_cut_side *cut_b);
-
-#endif

@@ -1,6 +1,5 @@
 /* Matching one ring with the whole boundary of another glyph: the boundary's sample for each of its samples, and the chords between. */
-#ifndef MT_MORPH_DIVIDE_RING_MATCHING_H
-#define MT_MORPH_DIVIDE_RING_MATCHING_H
+#pragma once
 
 #include "morph/divide/boundary_graph.h"
 
@@ -24,5 +23,3 @@ mt_status mt_match_ring(const mt_boundary *from, int ring, const mt_boundary *to
 
 /* Whether it is closed, steps differ, and a step over a chord stays at its sample of the ring. Linear. */
 bool mt_ring_match_is_valid(const mt_ring_match *match);
-
-#endif

@@ -1,6 +1,5 @@
 /* Slits: cuts without width through the ink, that open a hole into another ring of its component. */
-#ifndef MT_MORPH_DIVIDE_SLIT_H
-#define MT_MORPH_DIVIDE_SLIT_H
+#pragma once
 
 #include "morph/align/pairing.h"
 
@@ -17,5 +16,3 @@ typedef struct mt_slit_case {
  * *opened is the component with one ring less. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
 mt_status mt_slit(const mt_slit_case *slit, int hole, const mt_settings *settings, mt_arena *arena,
                   mt_component *opened, bool *done);
-
-#endif

@@ -1,6 +1,5 @@
 /* Kinks of contours between two masters removed by fitting runs of curves anew. */
-#ifndef MT_MORPH_FIT_CHAINS_H
-#define MT_MORPH_FIT_CHAINS_H
+#pragma once
 
 #include "geometry/spline.h"
 #include "morph/model/morph.h"
@@ -16,5 +15,3 @@ typedef struct mt_track {
  * stay as they are. MT_NO_MEMORY. */
 mt_status mt_chains_smooth(const mt_track *track, const int *steps, double tolerance, mt_arena *arena,
                            mt_contour_pair *masters);
-
-#endif

@@ -1,6 +1,5 @@
 /* Compatible masters of two aligned rings, and the contours between them. */
-#ifndef MT_MORPH_FIT_CONTOUR_PAIR_H
-#define MT_MORPH_FIT_CONTOUR_PAIR_H
+#pragma once
 
 #include "geometry/outline.h"
 #include "morph/align/align.h"
@@ -18,5 +17,3 @@ mt_status mt_contour_pair_mix(const mt_contour_pair *masters, mt_weights weights
 
 /* The area of the polygon of its nodes half-way, grid units squared: negative for a hole. */
 double mt_contour_pair_area(const mt_contour_pair *masters);
-
-#endif

@@ -1,6 +1,5 @@
 /* Lines of two masters, tidied. */
-#ifndef MT_MORPH_FIT_LINES_H
-#define MT_MORPH_FIT_LINES_H
+#pragma once
 
 #include "morph/model/morph.h"
 
@@ -8,5 +7,3 @@
  * curves of short lines that continue curves smoothly, so that they can bend with these in between. steps[i] belongs to the end of
  * segment i and is dropped with it. */
 void mt_contour_pair_tidy_lines(mt_contour_pair *masters, int *steps, double tolerance);
-
-#endif

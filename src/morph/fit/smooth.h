@@ -1,6 +1,5 @@
 /* Kinks of contours between two masters: found, and removed by moving nodes. */
-#ifndef MT_MORPH_FIT_SMOOTH_H
-#define MT_MORPH_FIT_SMOOTH_H
+#pragma once
 
 #include "morph/model/morph.h"
 
@@ -16,5 +15,3 @@ bool mt_is_smooth(const mt_contour *contour, int k);
 
 /* The largest turn of a mix of two masters at node k, degrees; 0 where either of them has a corner there. */
 double mt_kink(const mt_contour *const masters[2], int k);
-
-#endif

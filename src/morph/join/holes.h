@@ -1,6 +1,5 @@
 /* The holes of two parts that are joined: paired, slit open, or closed. */
-#ifndef MT_MORPH_JOIN_HOLES_H
-#define MT_MORPH_JOIN_HOLES_H
+#pragma once
 
 #include "morph/join/joining.h"
 
@@ -26,5 +25,3 @@ typedef struct mt_closing {
  * is a seam (mt_fit). As above. */
 mt_status mt_close_ring(const mt_ring *ring, bool in_a, const mt_closing *closing, mt_arena *arena,
                         mt_contour_pair *masters);
-
-#endif

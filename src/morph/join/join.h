@@ -1,6 +1,5 @@
 /* Joining two matched components, or parts of components: one contour pair for each pair of rings. */
-#ifndef MT_MORPH_JOIN_JOIN_H
-#define MT_MORPH_JOIN_JOIN_H
+#pragma once
 
 #include "morph/join/joining.h"
 
@@ -10,5 +9,3 @@
  * contours overlap themselves or each other too much. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
 mt_status mt_join(mt_part a, mt_part b, double most, const mt_join_context *context, mt_arena *arena,
                   mt_contour_pair *contours, int *count);
-
-#endif

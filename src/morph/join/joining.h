@@ -1,6 +1,5 @@
 /* The state of joining two parts. */
-#ifndef MT_MORPH_JOIN_JOINING_H
-#define MT_MORPH_JOIN_JOINING_H
+#pragma once
 
 #include "morph/model/join_context.h"
 #include "morph/model/morph.h"
@@ -17,5 +16,3 @@ typedef struct mt_joining {
     mt_arena *arena;
     double costliest; /* the largest cost of their alignments so far (align/align.h) */
 } mt_joining;
-
-#endif

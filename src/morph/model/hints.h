@@ -1,6 +1,5 @@
 /* A person's decisions for one character: which components go together, and which places on the two boundaries. */
-#ifndef MT_MORPH_MODEL_HINTS_H
-#define MT_MORPH_MODEL_HINTS_H
+#pragma once
 
 #include "geometry/point.h"
 
@@ -19,5 +18,3 @@ typedef struct mt_hints {
     int count;
     const mt_hint *hints;
 } mt_hints;
-
-#endif

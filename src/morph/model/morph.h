@@ -1,7 +1,6 @@
 /* The structs that all of the morph shares, in the order of the paper's sections 2.1 to 2.3: two sides in convex pieces, the links
  * between them, and contours that vary from A's to B's. They know geometry only: no fonts, no files. */
-#ifndef MT_MORPH_MODEL_MORPH_H
-#define MT_MORPH_MODEL_MORPH_H
+#pragma once
 
 #include "geometry/minkowski.h"
 #include "geometry/outline.h"
@@ -58,5 +57,3 @@ bool mt_side_is_valid(const mt_side *side);
 bool mt_contour_pair_is_valid(const mt_contour_pair *pair);
 bool mt_variable_outline_is_valid(const mt_variable_outline *outline);
 bool mt_morph_is_valid(const mt_morph *morph);
-
-#endif

@@ -1,10 +1,7 @@
 /* The parameters' ranges. */
-#ifndef MT_MORPH_MODEL_PARAMS_H
-#define MT_MORPH_MODEL_PARAMS_H
+#pragma once
 
 #include "morphotype.h"
 
 /* MT_OK, or MT_BAD_PARAMETER when one is out of its range (morphotype.h). */
 mt_status mt_params_check(const mt_params *params);
-
-#endif

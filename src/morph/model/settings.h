@@ -1,7 +1,6 @@
 /* How two glyphs are compared: the weights of the costs when boundaries are aligned, and the places where cuts are looked for. No
  * one set is best for all glyphs. */
-#ifndef MT_MORPH_MODEL_SETTINGS_H
-#define MT_MORPH_MODEL_SETTINGS_H
+#pragma once
 
 #include "morphotype.h"
 
@@ -26,5 +25,3 @@ typedef struct mt_settings {
 /* The settings that are tried for a glyph, one after the other. The first, 0, is best for most. */
 int mt_settings_count(void);
 mt_settings mt_settings_at(int number, const mt_params *params);
-
-#endif

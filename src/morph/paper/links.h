@@ -1,6 +1,5 @@
 /* Mapping convex pieces: formula (3) and the three steps of section 2.2.2. */
-#ifndef MT_MORPH_PAPER_LINKS_H
-#define MT_MORPH_PAPER_LINKS_H
+#pragma once
 
 #include "morph/model/morph.h"
 
@@ -14,5 +13,3 @@ mt_status mt_link_pieces(const mt_side *a, const mt_side *b, const mt_links *mat
 /* The same, from whichever side comes first in an order of their own: swapping A and B swaps the links. */
 mt_status mt_link_evenly(const mt_side *a, const mt_side *b, const mt_links *matches, bool one_scale,
                          mt_arena *arena, mt_links *links);
-
-#endif

@@ -1,6 +1,5 @@
 /* Relaxation matching on a matrix of similarities: formulas (1) and (2) of section 2.2.1. */
-#ifndef MT_MORPH_PAPER_RELAX_H
-#define MT_MORPH_PAPER_RELAX_H
+#pragma once
 
 #include "morph/model/morph.h"
 
@@ -18,5 +17,3 @@ mt_status mt_relax(double *s, int rows, int columns, int rounds, mt_arena *arena
  * it was. MT_NO_MEMORY. */
 mt_status mt_match_components(const double *s, int rows, int columns, int rounds, double threshold,
                               mt_arena *arena, mt_links *matches);
-
-#endif

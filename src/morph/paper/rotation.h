@@ -1,6 +1,5 @@
 /* The rotation of formula (5), section 2.3. */
-#ifndef MT_MORPH_PAPER_ROTATION_H
-#define MT_MORPH_PAPER_ROTATION_H
+#pragma once
 
 #include "morph/model/morph.h"
 
@@ -11,8 +10,7 @@ mt_point mt_box_middle(mt_box box);
  * exact. */
 mt_point mt_turn(mt_point p, mt_point centre, double degrees);
 
-/* A copy of the shape turned about `centre`. Points that fall together stay two. MT_NO_MEMORY, MT_TOO_LARGE.
- */
+/* A copy of the shape turned about `centre`. Points that fall together stay two. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_shape_turn(const mt_shape *shape, mt_point centre, double degrees, mt_arena *arena,
                         mt_shape *turned);
 
@@ -23,5 +21,3 @@ mt_point mt_morph_turn(const mt_morph *morph, mt_weights weights, mt_point p);
  * principal axes (of the second moments of area), weighted by area and by how much longer than wide both are, so
  * that round components, which have no axis, do not count. 0 when no pair has one. */
 double mt_find_rotation(const mt_shape *a, const mt_shape *b, const mt_links *matches);
-
-#endif

@@ -1,6 +1,5 @@
 /* The similarity of two components: section 2.2.1, the similar function m(h1, h2). */
-#ifndef MT_MORPH_PAPER_SIMILARITY_H
-#define MT_MORPH_PAPER_SIMILARITY_H
+#pragma once
 
 #include "geometry/ring.h"
 
@@ -21,5 +20,3 @@ double mt_similarity(const mt_hull *h1, const mt_hull *h2, const double weights[
 
 /* Whether the barycentre lies within the extremes, and the area is not negative. */
 bool mt_hull_is_valid(const mt_hull *hull);
-
-#endif
