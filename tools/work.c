@@ -5,6 +5,7 @@
 #include "characters_file.h"
 #include "hints_file.h"
 #include "messages.h"
+#include "source/font.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -58,8 +59,7 @@ void work_name(const cli_options *options, char *text, size_t room) {
 /* ---- characters --------------------------------------------------------------------------------- */
 
 static bool has_char(const mt_font *font, uint32_t code_point) {
-    uint32_t next;
-    return mt_font_next_char(font, code_point, &next) && next == code_point;
+    return mt_font_glyph(font, code_point) != 0;
 }
 
 /* Adds "FONT lacks A (U+0041), B (U+0042)" to a line, where the font lacks any. */
@@ -133,7 +133,8 @@ static mt_status find_unshared(mt_font *const *fonts, int count, int own, charac
     mt_status status = characters_add_font(all, fonts[own]);
     for (int i = 0; status == MT_OK && i < all->count; i++) {
         bool everywhere = true;
-        for (int k = 0; k < count; k++) everywhere = everywhere && has_char(fonts[k], all->list[i]);
+        for (int k = 0; k < count; k++)
+            everywhere = everywhere && mt_font_mapped_glyph(fonts[k], all->list[i]) != 0;
         if (!everywhere) status = characters_add(unshared, all->list[i]);
     }
     return status;

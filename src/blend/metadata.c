@@ -107,5 +107,6 @@ void mt_metadata_fill(const mt_font *a, const mt_font *b, double t, mt_font_data
     settle_lines(&in_a, &in_b, t);
     data->metrics = mix_metrics(&in_a, &in_b, scale, t);
     data->created = data->modified = date_of(a, b);
+    data->is_symbol = mt_font_is_symbol(a);
     data->embedding = stricter(mt_font_embedding(a), mt_font_embedding(b));
 }

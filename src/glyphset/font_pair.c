@@ -15,6 +15,11 @@ static mt_code look_up(const mt_font *a, const mt_font *b, uint32_t code_point) 
     return (mt_code){code_point, mt_font_glyph(a, code_point), mt_font_glyph(b, code_point)};
 }
 
+/* Without what a symbol font has for other codes than it maps: whichever font comes first, the characters are the same. */
+static mt_code look_up_mapped(const mt_font *a, const mt_font *b, uint32_t code_point) {
+    return (mt_code){code_point, mt_font_mapped_glyph(a, code_point), mt_font_mapped_glyph(b, code_point)};
+}
+
 static bool is_in(mt_code code, mt_glyph_set set) {
     return code.a && (code.b || set == MT_GLYPHS_FIRST);
 }
@@ -39,7 +44,7 @@ static int fill_all(const mt_font *a, const mt_font *b, mt_glyph_set set, mt_cod
     int count = 0;
     uint32_t c = 0;
     for (bool more = mt_font_next_char(a, 0, &c); more; more = mt_font_next_char(a, c + 1, &c)) {
-        mt_code code = look_up(a, b, c);
+        mt_code code = look_up_mapped(a, b, c);
         if (!is_in(code, set)) continue;
         if (list) list[count] = code;
         count++;

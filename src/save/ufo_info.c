@@ -152,7 +152,7 @@ static void put_os2(const mt_font_data *data, mt_xml *xml) {
     const uint32_t selection = data->metrics.use_typo_metrics ? USE_TYPO_METRICS : 0, type = data->embedding;
     uint32_t ranges[4], pages[2];
     mt_unicode_ranges(data->chars, data->char_count, ranges);
-    mt_code_pages(data->chars, data->char_count, pages);
+    mt_code_pages(data->chars, data->char_count, data->is_symbol, pages);
     mt_plist_integer(xml, "openTypeOS2WeightClass", whole(data->metrics.weight_class, 1, 1000));
     mt_plist_integer(xml, "openTypeOS2WidthClass", whole(data->metrics.width_class, 1, 9));
     put_bits(xml, "openTypeOS2Type", &type, 1);

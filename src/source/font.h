@@ -53,8 +53,16 @@ int mt_font_place(const mt_font *font, const int32_t **normalized);
 /* How many glyphs it has: at most MT_GLYPHS_MAX are counted. */
 int mt_font_glyph_count(const mt_font *font);
 
-/* The glyph of a code point; 0 when there is none. */
+/* The glyph that the character map has for a code point; 0 when there is none. */
+uint32_t mt_font_mapped_glyph(const mt_font *font, uint32_t code_point);
+
+/* The glyph that text leads to: the mapped one, and in a symbol font, for a code up to U+00FF that is not mapped, that of
+ * U+F000 and the code, as HarfBuzz and Windows have it; 0 when there is none. */
 uint32_t mt_font_glyph(const mt_font *font, uint32_t code_point);
+
+/* Whether it has a character map for symbols (OpenType spec, "cmap": platform 3, encoding 0). Where that is its only one,
+ * its codes, mostly U+F020 to U+F0FF, are the characters. */
+bool mt_font_is_symbol(const mt_font *font);
 
 /* The glyph's outline, unhinted, references resolved, on the grid (MT_EM to the em), and its advance in grid
  * units. MT_NO_MEMORY, MT_BAD_GLYPH, MT_TOO_LARGE. Where FreeType itself ran out of memory the font gives no

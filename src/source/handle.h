@@ -38,6 +38,7 @@ struct mt_font {
     int units;
     int64_t modified;
     uint16_t embedding;
+    bool is_symbol;
 };
 
 /* guard.c: does work in which FreeType may ask for memory. When it gets none the work ends there, FreeType

@@ -26,9 +26,21 @@ static mt_status open_face(mt_font *font) {
     return font->face->units_per_EM > 0 ? MT_OK : MT_NOT_A_FONT;
 }
 
+/* The character map for Windows' symbol fonts (OpenType spec, "cmap": platform 3, encoding 0); NULL where there is none. */
+static FT_CharMap find_symbol_map(FT_Face face) {
+    for (int i = 0; i < face->num_charmaps; i++)
+        if (face->charmaps[i]->encoding == FT_ENCODING_MS_SYMBOL) return face->charmaps[i];
+    return NULL;
+}
+
+/* Unicode's before the one for symbols. */
 static mt_status choose_charmap(mt_font *font) {
     uint32_t first;
-    if (FT_Select_Charmap(font->face, FT_ENCODING_UNICODE) != 0) return MT_NO_CHARMAP;
+    FT_CharMap symbols = find_symbol_map(font->face);
+    font->is_symbol = symbols;
+    if (FT_Select_Charmap(font->face, FT_ENCODING_UNICODE) == 0 && mt_font_next_char(font, 0, &first))
+        return MT_OK;
+    if (!symbols || FT_Set_Charmap(font->face, symbols) != 0) return MT_NO_CHARMAP;
     return mt_font_next_char(font, 0, &first) ? MT_OK : MT_NO_CHARMAP;
 }
 
@@ -102,13 +114,26 @@ int mt_font_glyph_count(const mt_font *font) {
 
 enum { LAST_CHAR = 0x10FFFF, FIRST_SURROGATE = 0xD800, LAST_SURROGATE = 0xDFFF };
 
+/* Symbol fonts have their glyphs for the codes of one byte here. */
+enum { LAST_BYTE = 0xFF, FIRST_SYMBOL = 0xF000 };
+
 static bool is_char(uint32_t code_point) {
     return code_point <= LAST_CHAR && (code_point < FIRST_SURROGATE || code_point > LAST_SURROGATE);
 }
 
-uint32_t mt_font_glyph(const mt_font *font, uint32_t code_point) {
+uint32_t mt_font_mapped_glyph(const mt_font *font, uint32_t code_point) {
     FT_UInt glyph = font->face && is_char(code_point) ? FT_Get_Char_Index(font->face, code_point) : 0;
     return glyph < MT_GLYPHS_MAX ? glyph : 0;
+}
+
+uint32_t mt_font_glyph(const mt_font *font, uint32_t code_point) {
+    uint32_t glyph = mt_font_mapped_glyph(font, code_point);
+    if (glyph || !font->is_symbol || code_point > LAST_BYTE) return glyph;
+    return mt_font_mapped_glyph(font, FIRST_SYMBOL + code_point);
+}
+
+bool mt_font_is_symbol(const mt_font *font) {
+    return font->is_symbol;
 }
 
 bool mt_font_next_char(const mt_font *font, uint32_t from, uint32_t *code_point) {

@@ -3,11 +3,19 @@
  * Format 4 holds the Basic Multilingual Plane in segments where both the code points and the glyphs rise by
  * one. Its length field has 16 bits, which is 8188 segments; a font that needs more, or that maps U+FFFF or
  * beyond, also gets a format 12 subtable with every character, and format 4 then holds the first ones, as
- * many as fit. Variation sequences stand in a subtable of format 14 (write_cmap14.c). */
+ * many as fit. A symbol font has format 4 as its map for symbols too, so that HarfBuzz and Windows find its glyphs by
+ * codes of one byte. Variation sequences stand in a subtable of format 14 (write_cmap14.c). */
 #include "write/tables.h"
 
 enum { UNICODE = 0, WINDOWS = 3 };
-enum { UNICODE_BMP = 3, UNICODE_FULL = 4, UNICODE_VARIANTS = 5, WINDOWS_BMP = 1, WINDOWS_FULL = 10 };
+enum {
+    UNICODE_BMP = 3,
+    UNICODE_FULL = 4,
+    UNICODE_VARIANTS = 5,
+    WINDOWS_SYMBOL = 0,
+    WINDOWS_BMP = 1,
+    WINDOWS_FULL = 10
+};
 enum { FORMAT12_HEADER = 16, FORMAT12_GROUP = 12 };
 enum { FORMAT4_HEADER = 16, FORMAT4_SEGMENT = 8, LAST_OF_BMP = 0xFFFF, HEADER = 4, RECORD = 8 };
 enum {
@@ -105,7 +113,7 @@ void mt_write_cmap(const mt_font_data *data, const mt_summary *summary, mt_table
     (void)summary;
     int segments, limit = count_bmp(data, &segments);
     bool full = limit<data->char_count, varied = data->variant_count> 0;
-    int records = (full ? 4 : 2) + varied, format4 = HEADER + RECORD * records;
+    int records = (full ? 4 : 2) + varied + data->is_symbol, format4 = HEADER + RECORD * records;
     int format12 = format4 + FORMAT4_HEADER + FORMAT4_SEGMENT * (segments + 1);
     int format14 = format12 + (full ? FORMAT12_HEADER + FORMAT12_GROUP * count_groups(data) : 0);
     mt_table_16(table, 0); /* version */
@@ -113,6 +121,7 @@ void mt_write_cmap(const mt_font_data *data, const mt_summary *summary, mt_table
     write_record(UNICODE, UNICODE_BMP, format4, table);
     if (full) write_record(UNICODE, UNICODE_FULL, format12, table);
     if (varied) write_record(UNICODE, UNICODE_VARIANTS, format14, table);
+    if (data->is_symbol) write_record(WINDOWS, WINDOWS_SYMBOL, format4, table);
     write_record(WINDOWS, WINDOWS_BMP, format4, table);
     if (full) write_record(WINDOWS, WINDOWS_FULL, format12, table);
     write_format4(data, limit, segments, table);

@@ -102,7 +102,9 @@ static const struct {
     {20, {0x5011, 0x9019, 0x570B}}, /* 950, traditional Chinese: 們 這 國 */
 };
 
-void mt_code_pages(const mt_char *chars, int count, uint32_t bits[2]) {
+enum { SYMBOL_PAGE = 31 };
+
+void mt_code_pages(const mt_char *chars, int count, bool is_symbol, uint32_t bits[2]) {
     bits[0] = bits[1] = 0;
     for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {
         bool covered = true;
@@ -110,5 +112,6 @@ void mt_code_pages(const mt_char *chars, int count, uint32_t bits[2]) {
             covered = covered && mt_has_char(chars, count, pages[i].samples[s]);
         if (covered) set_bit(bits, pages[i].bit);
     }
+    if (is_symbol) set_bit(bits, SYMBOL_PAGE);
     if (bits[0] == 0) set_bit(bits, 0); /* a font of no page at all is not offered by some applications */
 }

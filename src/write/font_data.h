@@ -61,6 +61,7 @@ typedef struct mt_font_data {
     mt_metrics metrics;
     int64_t created, modified; /* seconds since 1904 */
     uint16_t embedding;        /* OS/2 fsType */
+    bool is_symbol;            /* the characters are in a character map for symbols too */
     const char **glyph_names; /* one a glyph, 1 … MT_GLYPH_NAME_MAX printable ASCII characters; NULL: none */
     const mt_axis_data *variation;    /* NULL: the font does not vary */
     const struct mt_kerning *kerning; /* for a UFO, which has no GPOS; NULL: none */

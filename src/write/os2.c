@@ -103,7 +103,7 @@ void mt_write_os2(const mt_font_data *data, const mt_summary *summary, mt_table 
     write_selection(data, summary, table);
     write_char_range(data, table);
     write_lines(metrics, table);
-    mt_code_pages(data->chars, data->char_count, pages);
+    mt_code_pages(data->chars, data->char_count, data->is_symbol, pages);
     mt_table_32(table, pages[0]);
     mt_table_32(table, pages[1]);
     write_heights(data, table);

@@ -70,5 +70,5 @@ bool mt_loca_is_long(const mt_font_data *data, const mt_summary *summary);
 
 /* coverage.c: the bits of OS/2 ulUnicodeRange and ulCodePageRange for what the font maps. */
 void mt_unicode_ranges(const mt_char *chars, int count, uint32_t bits[4]);
-void mt_code_pages(const mt_char *chars, int count, uint32_t bits[2]);
+void mt_code_pages(const mt_char *chars, int count, bool is_symbol, uint32_t bits[2]);
 bool mt_has_char(const mt_char *chars, int count, uint32_t code_point);

@@ -206,6 +206,47 @@ static void characters_in_order(void **state) {
     mt_font_close(font);
 }
 
+/* The sample with these characters in a map for symbols, and with no other one when `alone`. */
+static const char *save_symbols(const uint32_t *code_points, int count, bool alone) {
+    mt_font_data data = mt_sample_font(&arena);
+    size_t length, cmap_length;
+    uint8_t *bytes;
+    data.is_symbol = true;
+    data.char_count = count;
+    for (int i = 0; i < count; i++) data.chars[i] = (mt_char){code_points[i], (uint16_t)(i + 1)};
+    mt_assert_ok(mt_font_write(&data, &bytes, &length));
+    uint8_t *cmap = bytes + (mt_sample_table(bytes, "cmap", &cmap_length) - bytes);
+    assert_int_equal(mt_read_u16(cmap + 2), 3); /* Unicode's, the one for symbols, and Windows' */
+    assert_int_equal(mt_read_u32(cmap + 12), 3 << 16);
+    if (alone) memcpy(cmap + 4, cmap + 12, 8);
+    if (alone) cmap[3] = 1;
+    const char *path = save("symbols.ttf", bytes, length);
+    mt_bytes_free(bytes);
+    return path;
+}
+
+static void symbols_by_their_codes(void **state) {
+    (void)state;
+    static const uint32_t mapped[] = {'z', 0xF041, 0xF06F};
+    mt_font *font;
+    uint32_t found;
+    for (int alone = 0; alone < 2; alone++) {
+        mt_assert_ok(mt_font_open(save_symbols(mapped, 3, alone), &font));
+        assert_true(mt_font_is_symbol(font));
+        assert_true(mt_font_next_char(font, '{', &found));
+        assert_int_equal(found, 0xF041);
+        assert_int_equal(mt_font_glyph(font, 0xF041), 2);
+        assert_int_equal(mt_font_glyph(font, 'A'), 2);
+        assert_int_equal(mt_font_glyph(font, 'z'), 1);
+        assert_int_equal(mt_font_glyph(font, 'B'), 0);
+        assert_int_equal(mt_font_mapped_glyph(font, 'A'), 0);
+        mt_font_close(font);
+    }
+    font = open_sample();
+    assert_false(mt_font_is_symbol(font));
+    mt_font_close(font);
+}
+
 /* ---- names and figures --------------------------------------------------------------------------------- */
 
 static void names_come_back(void **state) {
@@ -617,6 +658,7 @@ int main(void) {
         cmocka_unit_test(coordinates_over_the_limit),
         cmocka_unit_test(glyphs_that_are_not_there),
         cmocka_unit_test(characters_in_order),
+        cmocka_unit_test(symbols_by_their_codes),
         cmocka_unit_test(names_come_back),
         cmocka_unit_test(figures_come_back),
         cmocka_unit_test(heights_are_measured),
