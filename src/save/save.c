@@ -12,7 +12,7 @@
 #include "blend/variable.h"
 #include "save/designspace.h"
 #include "save/ufo.h"
-#include "save/woff2.h"
+#include "sfnt/woff2.h"
 #include "save/woff2_plain.h"
 #include "write/write.h"
 

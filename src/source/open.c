@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "geometry/limits.h"
 #include "sfnt/sfnt.h"
+#include "sfnt/woff2.h"
 
 /* ---- the stages of opening ----------------------------------------------------------------------------- */
 
@@ -55,6 +56,20 @@ static mt_status read_face(mt_font *font, void *user) {
     return status;
 }
 
+/* FreeType 2.12 refuses some WOFF2 that hold to the format, such as those packed to a small part of their size: what is in
+ * such a file is opened in its place. */
+static mt_status read_unpacked(mt_font *font) {
+    uint8_t *bytes;
+    size_t length;
+    mt_status status = mt_woff2_unpack(font->bytes, font->length, &bytes, &length);
+    if (status != MT_OK) return status;
+    mt_font_discard(font);
+    mt_free(font->bytes);
+    font->bytes = bytes;
+    font->length = length;
+    return mt_font_guard(font, read_face, NULL);
+}
+
 static mt_status open_stages(const char *spec, mt_font *font) {
     font->instance_name = -1;
     font->text = mt_copy_text(spec);
@@ -63,6 +78,7 @@ static mt_status open_stages(const char *spec, mt_font *font) {
     if (status == MT_OK)
         status = mt_file_read(font->spec.path, MT_FONT_FILE_MAX, &font->bytes, &font->length);
     if (status == MT_OK) status = mt_font_guard(font, read_face, NULL);
+    if (status == MT_NOT_A_FONT && mt_woff2_is(font->bytes, font->length)) status = read_unpacked(font);
     mt_arena_release(&font->scratch);
     return status;
 }

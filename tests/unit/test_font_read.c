@@ -1,12 +1,16 @@
 #include "base/utf.h"
 #include "geometry/limits.h"
 #include "sfnt/sfnt.h"
+#include "sfnt/woff2.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/fonts.h"
 #include "support/random.h"
 #include "support/sample.h"
 #include "write/write.h"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
 
 #include <errno.h>
 #include <stdio.h>
@@ -391,6 +395,61 @@ static void fonts_that_lack_something(void **state) {
     mt_bytes_free(bytes);
 }
 
+/* ---- WOFF2 that FreeType 2.12 refuses --------------------------------------------------------------------- */
+
+/* The sample with a table of zeros, packed to a small part of its size, which FreeType refuses. */
+static uint8_t *pack_well(size_t *packed_length) {
+    static const uint8_t zeros[45000];
+    mt_font_data data = mt_sample_font(&arena);
+    uint8_t *bytes, *packed;
+    size_t length;
+    data.extras[data.extra_count++] = (mt_extra_table){MT_TAG('Z', 'E', 'R', 'O'), {zeros, sizeof zeros}};
+    mt_assert_ok(mt_font_write(&data, &bytes, &length));
+    mt_assert_ok(mt_woff2_pack(bytes, length, &packed, packed_length));
+    mt_bytes_free(bytes);
+    assert_true(*packed_length * 20 < length);
+    return packed;
+}
+
+static void woff2_packed_well(void **state) {
+    (void)state;
+    size_t length;
+    FT_Library library;
+    FT_Face face;
+    mt_font *font;
+    uint8_t *packed = pack_well(&length);
+    assert_int_equal(FT_Init_FreeType(&library), 0);
+    bool refused = FT_New_Memory_Face(library, packed, (FT_Long)length, 0, &face) != 0;
+    FT_Done_FreeType(library);
+    assert_true(refused);
+    mt_assert_ok(mt_font_open(save("well.woff2", packed, length), &font));
+    assert_int_equal(mt_font_glyph(font, 'o'), 2);
+    assert_true(mt_font_has_table(font, MT_TAG('Z', 'E', 'R', 'O')));
+    mt_font_close(font);
+    assert_fails(save("cut.woff2", packed, length - 20), MT_NOT_A_FONT);
+    memset(packed + length - 100, 0x55, 50);
+    assert_fails(save("damaged.woff2", packed, length), MT_NOT_A_FONT);
+    mt_bytes_free(packed);
+    packed = pack_well(&length);
+    packed[16] = 0x7F; /* the size of the font in it, by its header */
+    assert_fails(save("large.woff2", packed, length), MT_TOO_LARGE);
+    mt_bytes_free(packed);
+}
+
+/* A directory that declares 4 GiB is refused before any of it is unpacked. */
+static void woff2_of_a_size_declared(void **state) {
+    (void)state;
+    static const uint8_t entry[] = {63, 'Z', 'E', 'R', 'O', 0x8F, 0xFF, 0xFF, 0xFF, 0x7F};
+    uint8_t bytes[48 + sizeof entry] = "wOF2", *font = NULL;
+    size_t length;
+    bytes[13] = 1; /* table */
+    memcpy(bytes + 48, entry, sizeof entry);
+    assert_int_equal(mt_woff2_unpack(bytes, sizeof bytes, &font, &length), MT_TOO_LARGE);
+    assert_int_equal(mt_woff2_unpack(bytes, sizeof bytes - 1, &font, &length), MT_NOT_A_FONT);
+    assert_int_equal(mt_woff2_unpack(bytes, 47, &font, &length), MT_NOT_A_FONT);
+    assert_null(font);
+}
+
 /* Without OS/2 and post the figures are made up, and sensibly. */
 static void figures_without_tables(void **state) {
     (void)state;
@@ -667,6 +726,8 @@ int main(void) {
         cmocka_unit_test(files_that_are_no_fonts),
         cmocka_unit_test(files_cut_short),
         cmocka_unit_test(fonts_that_lack_something),
+        cmocka_unit_test(woff2_packed_well),
+        cmocka_unit_test(woff2_of_a_size_declared),
         cmocka_unit_test(figures_without_tables),
         cmocka_unit_test(a_bitmap_font),
         cmocka_unit_test(faces_and_axes_that_are_not_there),
