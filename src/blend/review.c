@@ -137,6 +137,14 @@ static void review_tables(const mt_reviewer *reviewer, const mt_font *a, const m
     if (tables.length > 0) say(reviewer, &line);
 }
 
+/* Metrics beside a Type 1 font that could not be read. */
+static void review_metrics(const mt_reviewer *reviewer, const mt_font *font) {
+    mt_notice line = {0};
+    const char *path = mt_font_unread_metrics(font);
+    add(&line, "%s cannot be read: no kerning from it for %s", path ? path : "", mt_font_spec(font));
+    if (path) say(reviewer, &line);
+}
+
 /* ---- all of it ----------------------------------------------------------------------------------------- */
 
 mt_status mt_review(const mt_font *a, const mt_font *b, const char *family, mt_warning call, void *user) {
@@ -146,6 +154,7 @@ mt_status mt_review(const mt_font *a, const mt_font *b, const char *family, mt_w
     for (int i = 0; i < 2 && status == MT_OK; i++) {
         review_embedding(&reviewer, fonts[i]);
         review_license(&reviewer, fonts[i]);
+        review_metrics(&reviewer, fonts[i]);
         status = review_family(&reviewer, fonts[i]);
     }
     if (status == MT_OK) review_tables(&reviewer, a, b);

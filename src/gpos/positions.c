@@ -27,7 +27,7 @@ static mt_status open_source(mt_font *font, int units, mt_arena *arena, mt_posit
     *source = (mt_position_source){.font = font, .scale = (double)units / mt_font_units(font)};
     mt_status status = mt_font_table(font, MT_TAG('G', 'P', 'O', 'S'), arena, &gpos);
     if (status == MT_OK) status = mt_font_table(font, MT_TAG('G', 'D', 'E', 'F'), arena, &gdef);
-    if (status == MT_OK) status = mt_font_table(font, MT_TAG('k', 'e', 'r', 'n'), arena, &source->kern);
+    if (status == MT_OK) status = mt_font_kern(font, arena, &source->kern);
     if (status == MT_OK) status = mt_layout_open(gpos, MT_EXTENSION_GPOS, arena, &source->layout);
     if (status == MT_OK) status = mt_gdef_deltas_open(gdef, place, axes, arena, &source->variations);
     return status;

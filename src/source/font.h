@@ -44,6 +44,13 @@ uint16_t mt_font_embedding(const mt_font *font); /* OS/2 fsType */
  * sfnt. Not for two threads at once. MT_NO_MEMORY. */
 mt_status mt_font_table(const mt_font *font, uint32_t tag, mt_arena *arena, mt_bytes *table);
 
+/* The kerning outside of GPOS, as a 'kern' table in the arena: the font's own one, or what the metrics beside a Type 1 font
+ * (F.afm or F.pfm beside F.pfb) have. No bytes where there is neither. MT_NO_MEMORY. */
+mt_status mt_font_kern(const mt_font *font, mt_arena *arena, mt_bytes *kern);
+
+/* The path of metrics beside a Type 1 font that could not be read; NULL for none. Belongs to the font. */
+const char *mt_font_unread_metrics(const mt_font *font);
+
 bool mt_font_has_table(const mt_font *font, uint32_t tag);
 
 /* The place on the axes of 'fvar' that the font was opened at: normalized, after 'avar', 16.16 in -1 … 1, one an axis.

@@ -39,6 +39,12 @@ struct mt_font {
     int64_t modified;
     uint16_t embedding;
     bool is_symbol;
+
+    /* metrics_file.c: the file beside a Type 1 font, NULL where none was looked for; and whether it could not be read. */
+    char *metrics_path;
+    uint8_t *metrics_bytes;
+    size_t metrics_length;
+    bool metrics_unread;
 };
 
 /* guard.c: does work in which FreeType may ask for memory. When it gets none the work ends there, FreeType
@@ -59,6 +65,10 @@ bool mt_font_axis(const mt_font *font, uint32_t tag, double *value);
 /* names.c: fills font->names. MT_NO_MEMORY. */
 mt_status mt_font_read_names(mt_font *font);
 void mt_font_free_names(mt_font *font);
+
+/* metrics_file.c: reads the kerning beside a Type 1 font; only within the guard. What cannot be read is left out.
+ * MT_NO_MEMORY. */
+mt_status mt_font_attach_metrics(mt_font *font);
 
 /* metrics.c: fills font->metrics, units, modified and embedding. */
 void mt_font_read_metrics(mt_font *font);

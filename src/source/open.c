@@ -53,7 +53,7 @@ static mt_status read_face(mt_font *font, void *user) {
     if (status == MT_OK) status = choose_charmap(font);
     if (status == MT_OK) status = mt_font_read_names(font);
     if (status == MT_OK) mt_font_read_metrics(font);
-    return status;
+    return status == MT_OK ? mt_font_attach_metrics(font) : status;
 }
 
 /* FreeType 2.12 refuses some WOFF2 that hold to the format, such as those packed to a small part of their size: what is in
@@ -101,6 +101,8 @@ void mt_font_close(mt_font *font) {
     if (!font) return;
     mt_font_free_names(font);
     mt_font_discard(font);
+    mt_free(font->metrics_path);
+    mt_free(font->metrics_bytes);
     mt_free(font->bytes);
     mt_spec_clear(&font->spec);
     mt_free(font->text);

@@ -1,5 +1,6 @@
 #include "base/utf.h"
 #include "geometry/limits.h"
+#include "kerning/kern_table.h"
 #include "sfnt/sfnt.h"
 #include "sfnt/woff2.h"
 #include "support/allocation.h"
@@ -450,6 +451,68 @@ static void woff2_of_a_size_declared(void **state) {
     assert_null(font);
 }
 
+/* ---- metrics beside a Type 1 font ------------------------------------------------------------------------- */
+
+/* What the font has for A before V beside it, or 0. */
+static double kerning_of(const mt_font *font) {
+    mt_bytes kern;
+    mt_pair_source source = {0};
+    mt_assert_ok(mt_font_kern(font, &arena, &kern));
+    if (!mt_kern_table_kerns(kern)) return 0;
+    mt_assert_ok(mt_pair_source_kern(kern, 1, &arena, &source));
+    assert_int_equal(source.count, 1);
+    assert_int_equal(mt_kern_listed_count(&source.subtables[0], mt_font_glyph(font, 'A')), 1);
+    return mt_kern_listed_value(&source.subtables[0], mt_font_glyph(font, 'A'), mt_font_glyph(font, 'V'));
+}
+
+/* Windows' metrics with one pair, A before V. */
+static void write_pfm(uint8_t bytes[160], int value) {
+    enum { WIDTHS = 99, EXTENSION = WIDTHS + 18, KERNING = 150 };
+    memset(bytes, 0, 160);
+    bytes[1] = 1;
+    bytes[2] = 160; /* the file's length */
+    bytes[EXTENSION] = 0x1E;
+    bytes[EXTENSION + 14] = KERNING;
+    bytes[KERNING] = 1; /* pair */
+    bytes[KERNING + 2] = 'A';
+    bytes[KERNING + 3] = 'V';
+    bytes[KERNING + 4] = (uint8_t)value;
+    bytes[KERNING + 5] = (uint8_t)(value >> 8);
+}
+
+static void kerning_beside_type1(void **state) {
+    (void)state;
+    static const char afm[] = "StartFontMetrics 2.0\nFontName F\nFontBBox 0 0 500 700\nAscender 9000\n"
+                              "StartKernData\nStartKernPairs 1\nKPX A V -75\nEndKernPairs\nEndKernData\n"
+                              "EndFontMetrics\n";
+    size_t length;
+    uint8_t pfm[160], *bytes = mt_sample_load(&arena, TYPE1, &length);
+    mt_font *font;
+    mt_metrics plain, beside;
+    const char *path = save("t1.of.pfb", bytes, length);
+    mt_assert_ok(mt_font_open(path, &font));
+    assert_true(kerning_of(font) == 0);
+    assert_null(mt_font_unread_metrics(font));
+    mt_font_metrics(font, &plain);
+    mt_font_close(font);
+    write_pfm(pfm, -31);
+    save("t1.of.pfm", pfm, sizeof pfm);
+    mt_assert_ok(mt_font_open(path, &font));
+    assert_true(kerning_of(font) == -31);
+    mt_font_close(font);
+    save("t1.of.afm", afm, sizeof afm - 1);
+    mt_assert_ok(mt_font_open(path, &font));
+    assert_true(kerning_of(font) == -75);
+    mt_font_metrics(font, &beside);
+    assert_true(plain.hhea_ascender == beside.hhea_ascender);
+    mt_font_close(font);
+    const char *damaged = save("t1.of.afm", "no metrics", 10);
+    mt_assert_ok(mt_font_open(path, &font));
+    assert_true(kerning_of(font) == 0);
+    assert_string_equal(mt_font_unread_metrics(font), damaged);
+    mt_font_close(font);
+}
+
 /* Without OS/2 and post the figures are made up, and sensibly. */
 static void figures_without_tables(void **state) {
     (void)state;
@@ -726,6 +789,7 @@ int main(void) {
         cmocka_unit_test(files_that_are_no_fonts),
         cmocka_unit_test(files_cut_short),
         cmocka_unit_test(fonts_that_lack_something),
+        cmocka_unit_test(kerning_beside_type1),
         cmocka_unit_test(woff2_packed_well),
         cmocka_unit_test(woff2_of_a_size_declared),
         cmocka_unit_test(figures_without_tables),
