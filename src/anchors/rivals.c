@@ -31,24 +31,38 @@ static int count_subtables(mt_anchor_job *job, int font, int type, bool *wanted)
     return count;
 }
 
-mt_status mt_rivals_find(mt_anchor_job *job, int font, const mt_lookup_builder *lookup, mt_rivals *rivals) {
+/* The subtables of the wanted lookups, of later lookups first. */
+static mt_status list_subtables(mt_anchor_job *job, int font, int type, bool *wanted, mt_rivals *rivals) {
     const mt_layout *layout = job->sources[font].layout;
-    int lookup_count = layout->lookup_count, count = 0;
-    bool *wanted = mt_arena_new(&job->scratch, (size_t)lookup_count + 1, sizeof *wanted);
-    if (!wanted) return MT_NO_MEMORY;
-    for (int i = 0; i < lookup->member_count && mt_anchor_spend(job, 1); i++) {
-        int system = job->systems->list[lookup->members[i].system].own[font];
-        if (system >= 0) note_feature(job, font, system, lookup->members[i].feature, wanted);
-    }
-    bool can = mt_anchor_spend(job, lookup_count);
-    int all = can ? count_subtables(job, font, lookup->type, wanted) : 0;
+    int count = 0;
+    bool can = mt_anchor_spend(job, layout->lookup_count);
+    int all = can ? count_subtables(job, font, type, wanted) : 0;
     mt_bytes *subtables = mt_arena_new(&job->scratch, (size_t)all + 1, sizeof *subtables);
     if (!subtables) return MT_NO_MEMORY;
-    for (int i = lookup_count - 1; i >= 0 && count < all; i--) {
+    for (int i = layout->lookup_count - 1; i >= 0 && count < all; i--) {
         if (!wanted[i]) continue;
         mt_lookup rival = mt_layout_lookup(layout, i);
         for (int j = 0; j < rival.subtable_count; j++) subtables[count++] = mt_lookup_subtable(&rival, j);
     }
     *rivals = (mt_rivals){count, subtables};
     return MT_OK;
+}
+
+mt_status mt_rivals_find(mt_anchor_job *job, int font, const mt_lookup_builder *lookup, mt_rivals *rivals) {
+    int lookup_count = job->sources[font].layout->lookup_count;
+    bool *wanted = mt_arena_new(&job->scratch, (size_t)lookup_count + 1, sizeof *wanted);
+    if (!wanted) return MT_NO_MEMORY;
+    for (int i = 0; i < lookup->member_count && mt_anchor_spend(job, 1); i++) {
+        int system = job->systems->list[lookup->members[i].system].own[font];
+        if (system >= 0) note_feature(job, font, system, lookup->members[i].feature, wanted);
+    }
+    return list_subtables(job, font, lookup->type, wanted, rivals);
+}
+
+mt_status mt_rivals_of(mt_anchor_job *job, int font, int lookup, mt_rivals *rivals) {
+    const mt_layout *layout = job->sources[font].layout;
+    bool *wanted = mt_arena_new(&job->scratch, (size_t)layout->lookup_count + 1, sizeof *wanted);
+    if (!wanted) return MT_NO_MEMORY;
+    wanted[lookup] = true;
+    return list_subtables(job, font, mt_layout_lookup(layout, lookup).type, wanted, rivals);
 }

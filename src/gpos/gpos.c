@@ -1,5 +1,9 @@
 #include "gpos/gpos.h"
 
+#include "gpos/context.h"
+
+#include <string.h>
+
 /* ---- lookups ------------------------------------------------------------------------------------------- */
 
 enum { LOOKUP_HEADER = 6, EXTENSION_SIZE = 8 };
@@ -72,19 +76,63 @@ mt_status mt_gpos_lookup_list(const mt_lookup_builders *lookups, mt_table *table
 
 /* ---- the table ----------------------------------------------------------------------------------------- */
 
-/* The lookups that are written, in the order in which they are applied. */
+/* Whether features or contexts apply the lookup. One that contexts call may be without subtables, where each was too
+ * large. */
+static bool is_applied(const mt_lookup_builder *lookup) {
+    return lookup->subtable_count ? lookup->member_count || lookup->called_as
+                                  : lookup->called_as && lookup->type >= MT_CONTEXT;
+}
+
+/* The lookups that are written, in the order in which they are applied; none where no feature has any. */
 static mt_status order_lookups(const mt_lookup_builders *made, mt_arena *scratch, mt_lookup_builders *kept) {
+    bool any = false;
     for (int i = 0; i < made->count; i++) {
         const mt_lookup_builder *lookup = &made->lookups[i];
-        if (!lookup->member_count || !lookup->subtable_count) continue;
+        if (!is_applied(lookup)) continue;
         mt_status status = mt_lookup_builders_add(kept, lookup, scratch);
         if (status != MT_OK) return status;
+        any |= lookup->member_count > 0;
         int at = kept->count - 1;
         for (; at > 0 && kept->lookups[at - 1].order > lookup->order; at--)
             kept->lookups[at] = kept->lookups[at - 1];
         kept->lookups[at] = *lookup;
     }
+    if (!any) kept->count = 0;
     return MT_OK;
+}
+
+/* The number that a called lookup has got. */
+static int find_called(const mt_lookup_builders *kept, int called_as) {
+    int found = 0;
+    while (found < kept->count && kept->lookups[found].called_as != called_as) found++;
+    return found;
+}
+
+/* Fills in the numbers of the lookups that a context calls. */
+static mt_status number_calls(const mt_lookup_builders *kept, mt_lookup_builder *lookup, mt_arena *scratch) {
+    mt_bytes *subtables = mt_arena_new(scratch, (size_t)lookup->subtable_count + 1, sizeof *subtables);
+    if (!subtables) return MT_NO_MEMORY;
+    for (int i = 0, k = 0; i < lookup->subtable_count; i++) {
+        mt_bytes from = lookup->subtables[i];
+        uint8_t *bytes = mt_arena_new(scratch, from.length + 1, 1);
+        if (!bytes) return MT_NO_MEMORY;
+        memcpy(bytes, from.bytes, from.length);
+        for (; k < lookup->call_count && lookup->calls[k].subtable == i; k++) {
+            int number = find_called(kept, lookup->calls[k].called_as);
+            bytes[lookup->calls[k].at] = (uint8_t)(number >> 8);
+            bytes[lookup->calls[k].at + 1] = (uint8_t)number;
+        }
+        subtables[i] = (mt_bytes){bytes, from.length};
+    }
+    lookup->subtables = subtables;
+    return MT_OK;
+}
+
+static mt_status number_all_calls(mt_lookup_builders *kept, mt_arena *scratch) {
+    mt_status status = MT_OK;
+    for (int i = 0; i < kept->count && status == MT_OK; i++)
+        if (kept->lookups[i].call_count) status = number_calls(kept, &kept->lookups[i], scratch);
+    return status;
 }
 
 static mt_status assemble(const mt_systems *systems, const mt_lookup_builders *kept, mt_arena *scratch,
@@ -121,6 +169,7 @@ mt_status mt_gpos_write(const mt_systems *systems, const mt_lookup_builders *mad
     mt_table lists[3] = {0};
     mt_bytes written = {0};
     mt_status status = order_lookups(made, &scratch, &kept);
+    if (status == MT_OK) status = number_all_calls(&kept, &scratch);
     if (status == MT_OK && kept.count) {
         status = assemble(systems, &kept, &scratch, lists);
         if (status == MT_OK) status = join(lists, arena, &written);

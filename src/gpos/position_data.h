@@ -2,6 +2,7 @@
 #pragma once
 
 #include "anchors/anchor.h"
+#include "gpos/context.h"
 #include "gpos/singles.h"
 #include "kerning/pairs.h"
 #include "layout/lookup_groups.h"
@@ -28,4 +29,5 @@ typedef struct mt_positions {
     bool has_plain_kerning;
     mt_pairs plain_kerning; /* all of the kern feature that Latin text is set by, whatever the flags */
     mt_anchors anchors;
+    mt_contexts contexts; /* what they call is among the others */
 } mt_positions;

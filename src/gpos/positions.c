@@ -2,6 +2,7 @@
 
 #include "anchors/anchors.h"
 #include "anchors/write.h"
+#include "gpos/contexts.h"
 #include "gpos/gpos.h"
 #include "gpos/position_data.h"
 #include "kerning/kern_table.h"
@@ -41,8 +42,25 @@ typedef struct mt_position_job {
     mt_arena *arena;
     mt_arena scratch;   /* of the tables, and what is read of them */
     int64_t pair_steps; /* that are left */
+    mt_called_lookups called;
     mt_positions *positions;
 } mt_position_job;
+
+/* Of a lookup that contexts call. */
+static mt_lookup_builder called_head(const mt_position_job *job, const mt_called_lookup *called) {
+    mt_lookup in_a = mt_layout_lookup(&job->sources[0].layout, called->lookup);
+    return (mt_lookup_builder){.order = MT_CALLED_ORDER + called->lookup,
+                               .type = in_a.type,
+                               .flag = in_a.flag,
+                               .mark_set = in_a.mark_set,
+                               .called_as = called->lookup + 1};
+}
+
+static int count_called(const mt_position_job *job, int type) {
+    int count = 0;
+    for (int i = 0; i < job->called.count; i++) count += job->called.list[i].type == type;
+    return count;
+}
 
 /* ---- pairs --------------------------------------------------------------------------------------------- */
 
@@ -108,16 +126,48 @@ static mt_status prepare_pairs(mt_position_job *job, const mt_feature_job *featu
     return status;
 }
 
+/* In a font where nothing goes with it, the pairs are the first font's. What is too large, which no font's is, is left out. */
+static mt_status prepare_called_pairs(mt_position_job *job, const mt_called_lookup *called) {
+    mt_pair_source own[MT_STOPS_MAX];
+    const mt_pair_source *sources[MT_STOPS_MAX];
+    mt_font_glyphs glyphs = job->glyphs;
+    mt_pair_position *position = &job->positions->pairs[job->positions->pair_count];
+    mt_status status = MT_OK;
+    *position = (mt_pair_position){.head = called_head(job, called)};
+    position->pairs = mt_arena_new(job->arena, 1, sizeof *position->pairs);
+    if (!position->pairs) return MT_NO_MEMORY;
+    for (int s = 0; s < glyphs.font_count && status == MT_OK; s++) {
+        int lookup = s ? called->others[s] : called->lookup;
+        const mt_position_source *source = &job->sources[s];
+        sources[s] = lookup < 0 ? &own[0] : &own[s];
+        if (lookup < 0)
+            glyphs.of[s] = glyphs.of[0];
+        else
+            status = mt_pair_source_gpos(&source->layout, &lookup, 1, &source->variations, source->scale,
+                                         &job->scratch, &own[s]);
+    }
+    if (status == MT_OK)
+        status = mt_pairs_prepare(sources, &glyphs, MT_PAIR_CELLS_MAX, &job->pair_steps, job->arena,
+                                  position->pairs);
+    position->count = status == MT_OK;
+    job->positions->pair_count += status == MT_OK;
+    return status == MT_TOO_LARGE ? MT_OK : status;
+}
+
 static mt_status prepare_all_pairs(mt_position_job *job) {
     mt_positions *positions = job->positions;
     mt_feature_jobs found;
     mt_status status =
         mt_feature_jobs_find(&job->features, &positions->systems, MT_LOOKUP_PAIR, job->arena, &found);
     if (status != MT_OK) return status;
-    positions->pairs = mt_arena_new(job->arena, (size_t)found.count + 1, sizeof *positions->pairs);
+    size_t room = (size_t)found.count + (size_t)count_called(job, MT_LOOKUP_PAIR) + 1;
+    positions->pairs = mt_arena_new(job->arena, room, sizeof *positions->pairs);
     if (!positions->pairs) return MT_NO_MEMORY;
     for (int i = 0; i < found.count && status == MT_OK; i++)
         status = prepare_pairs(job, &found.list[i], &positions->pairs[positions->pair_count++]);
+    for (int i = 0; i < job->called.count && status == MT_OK; i++)
+        if (job->called.list[i].type == MT_LOOKUP_PAIR)
+            status = prepare_called_pairs(job, &job->called.list[i]);
     return status;
 }
 
@@ -147,18 +197,36 @@ static mt_status prepare_plain_kerning(mt_position_job *job) {
 
 /* ---- single adjustments -------------------------------------------------------------------------------- */
 
+static mt_single_source single_source(const mt_position_source *source, int count, const int *lookups,
+                                      bool called) {
+    return (mt_single_source){&source->layout, &source->variations, source->scale, count, lookups, called};
+}
+
 /* One that is too large, which no font's is, is left out. */
-static mt_status prepare_single(mt_position_job *job, const mt_feature_job *feature) {
-    mt_single_source own[MT_STOPS_MAX];
-    for (int s = 0; s < job->glyphs.font_count; s++)
-        own[s] =
-            (mt_single_source){&job->sources[s].layout, &job->sources[s].variations, job->sources[s].scale,
-                               feature->parts[s].count, feature->parts[s].lookups};
+static mt_status add_single(mt_position_job *job, const mt_lookup_builder *head,
+                            const mt_single_source *own) {
     mt_single_position *position = &job->positions->singles[job->positions->single_count];
-    position->head = feature->head;
+    position->head = *head;
     mt_status status = mt_singles_prepare(own, &job->glyphs, job->arena, &position->singles);
     job->positions->single_count += status == MT_OK;
     return status == MT_TOO_LARGE ? MT_OK : status;
+}
+
+static mt_status prepare_single(mt_position_job *job, const mt_feature_job *feature) {
+    mt_single_source own[MT_STOPS_MAX];
+    for (int s = 0; s < job->glyphs.font_count; s++)
+        own[s] = single_source(&job->sources[s], feature->parts[s].count, feature->parts[s].lookups, false);
+    return add_single(job, &feature->head, own);
+}
+
+static mt_status prepare_called_single(mt_position_job *job, const mt_called_lookup *called) {
+    mt_single_source own[MT_STOPS_MAX];
+    mt_lookup_builder head = called_head(job, called);
+    for (int s = 0; s < job->glyphs.font_count; s++) {
+        const int *lookup = s ? &called->others[s] : &called->lookup;
+        own[s] = single_source(&job->sources[s], *lookup >= 0, lookup, true);
+    }
+    return add_single(job, &head, own);
 }
 
 static mt_status prepare_singles(mt_position_job *job) {
@@ -167,9 +235,13 @@ static mt_status prepare_singles(mt_position_job *job) {
     mt_status status =
         mt_feature_jobs_find(&job->features, &positions->systems, MT_LOOKUP_SINGLE, job->arena, &found);
     if (status != MT_OK) return status;
-    positions->singles = mt_arena_new(job->arena, (size_t)found.count + 1, sizeof *positions->singles);
+    size_t room = (size_t)found.count + (size_t)count_called(job, MT_LOOKUP_SINGLE) + 1;
+    positions->singles = mt_arena_new(job->arena, room, sizeof *positions->singles);
     if (!positions->singles) return MT_NO_MEMORY;
     for (int i = 0; i < found.count && status == MT_OK; i++) status = prepare_single(job, &found.list[i]);
+    for (int i = 0; i < job->called.count && status == MT_OK; i++)
+        if (job->called.list[i].type == MT_LOOKUP_SINGLE)
+            status = prepare_called_single(job, &job->called.list[i]);
     return status;
 }
 
@@ -180,8 +252,8 @@ static mt_status prepare_anchors(mt_position_job *job, int units) {
     for (int s = 0; s < job->glyphs.font_count; s++)
         own[s] =
             (mt_anchor_source){job->sources[s].font, &job->sources[s].layout, &job->sources[s].variations};
-    return mt_anchors_prepare(own, &job->positions->systems, &job->glyphs, units, job->arena,
-                              &job->positions->anchors);
+    return mt_anchors_prepare(own, &job->positions->systems, job->called.list, job->called.count,
+                              &job->glyphs, units, job->arena, &job->positions->anchors);
 }
 
 static mt_status open_sources(mt_position_job *job, mt_font *const *fonts, int units) {
@@ -201,6 +273,9 @@ static mt_status prepare(mt_position_job *job, mt_font *const *fonts, int units)
     if (status == MT_OK)
         status =
             mt_systems_make(job->features.layouts, job->features.count, job->arena, &job->positions->systems);
+    if (status == MT_OK)
+        status = mt_contexts_prepare(job->features.layouts, &job->positions->systems, &job->glyphs,
+                                     job->arena, &job->positions->contexts, &job->called);
     if (status == MT_OK) status = prepare_all_pairs(job);
     if (status == MT_OK) status = prepare_plain_kerning(job);
     if (status == MT_OK) status = prepare_singles(job);
@@ -258,6 +333,7 @@ static mt_status write_at(const mt_positions *positions, const mt_places *places
     for (int i = 0; i < positions->single_count && status == MT_OK; i++)
         status = write_singles(&positions->singles[i], places, &scratch, &made);
     if (status == MT_OK) status = mt_anchors_write(&positions->anchors, places, &scratch, &made);
+    if (status == MT_OK) status = mt_contexts_write(&positions->contexts, &scratch, &made);
     if (status == MT_OK) status = mt_gpos_write(&positions->systems, &made, arena, gpos);
     mt_arena_release(&scratch);
     return status;

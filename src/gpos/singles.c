@@ -51,10 +51,10 @@ static bool find_single(const mt_single_source *sources, const mt_font_glyphs *g
                         double (*in_fonts)[MT_VALUE_PARTS]) {
     bool has = glyph_value(&sources[0], glyphs->of[0][glyph], in_fonts[0]);
     for (int s = 1; s < glyphs->font_count; s++) {
-        if (sources[s].count && glyphs->of[s][glyph] != MT_NO_PARTNER)
-            has |= glyph_value(&sources[s], glyphs->of[s][glyph], in_fonts[s]);
-        else
-            memcpy(in_fonts[s], in_fonts[0], sizeof in_fonts[0]);
+        bool there = sources[s].count && glyphs->of[s][glyph] != MT_NO_PARTNER;
+        bool adjusted = there && glyph_value(&sources[s], glyphs->of[s][glyph], in_fonts[s]);
+        has |= adjusted && !sources[s].called;
+        if (!adjusted && (!there || sources[s].called)) memcpy(in_fonts[s], in_fonts[0], sizeof in_fonts[0]);
     }
     return has;
 }

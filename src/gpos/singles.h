@@ -17,6 +17,8 @@ typedef struct mt_single_source {
     double scale;
     int count;
     const int *lookups;
+    bool
+        called; /* by contexts: glyphs are those of the first font's, and one that is not in these is as in the first font */
 } mt_single_source;
 
 typedef struct mt_single {

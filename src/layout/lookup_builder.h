@@ -33,6 +33,16 @@ typedef struct mt_member {
     uint32_t feature;
 } mt_member;
 
+/* That a context in a lookup calls another one: the number stands in two bytes of a subtable. */
+typedef struct mt_lookup_call {
+    int subtable;
+    size_t at;
+    int called_as;
+} mt_lookup_call;
+
+/* From here on is the order of lookups that contexts call: behind all that features apply. */
+enum { MT_CALLED_ORDER = 1 << 20 };
+
 typedef struct mt_lookup_builder {
     int order; /* lookups are applied by ascending order, then as they were added: the index of A's lookup */
     int type, flag;
@@ -41,6 +51,9 @@ typedef struct mt_lookup_builder {
     const mt_member *members;
     int subtable_count;
     const mt_bytes *subtables; /* each under 64 KB or with 16-bit offsets of its own; not extensions */
+    int called_as;  /* what contexts call it by, from 1 on, whatever features it is in; 0: no context does */
+    int call_count; /* of a context */
+    const mt_lookup_call *calls;
 } mt_lookup_builder;
 
 /* Where a lookup of A's belongs, for systems that are A's own; a member may come twice. MT_NO_MEMORY. */

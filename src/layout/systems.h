@@ -32,4 +32,12 @@ int mt_system_lookups(const mt_layout *layout, int system, uint32_t tag, int typ
 /* Whether the system has a feature of that tag, whatever is in it. */
 bool mt_system_has_feature(const mt_layout *layout, int system, uint32_t tag);
 
+/* A lookup of the first font's that contexts call: they do by its number and 1, whatever features it is in. */
+typedef struct mt_called_lookup {
+    int lookup, type;
+    int others[MT_STOPS_MAX]; /* each other font's lookup that goes with it; -1 where there is none */
+    int member_count;
+    const mt_member *members; /* where the contexts belong; of mt_systems */
+} mt_called_lookup;
+
 enum { MT_SYSTEM_LOOKUPS_MAX = 256 }; /* of one type in one feature */

@@ -231,7 +231,7 @@ static mt_anchors blend_small(const mt_small *a, const mt_small *b, const mt_cha
     mt_anchor_source sources[] = {{a->font, &a->layout, &still}, {b->font, &b->layout, &still}};
     mt_font_glyphs glyphs = glyphs_of(charset, &arena);
     mt_assert_ok(mt_systems_make((const mt_layout *[]){&a->layout, &b->layout}, 2, &arena, &systems));
-    mt_assert_ok(mt_anchors_prepare(sources, &systems, &glyphs, 1000, &arena, &anchors));
+    mt_assert_ok(mt_anchors_prepare(sources, &systems, NULL, 0, &glyphs, 1000, &arena, &anchors));
     mt_font_close(a->font);
     mt_font_close(b->font);
     return anchors;
@@ -376,7 +376,7 @@ static mt_status blend_without(long failing, const char *paths[2]) {
     mt_places half = at(&(double){0.5});
     mt_arena kept = {0};
     mt_allocation_fail(failing, false);
-    mt_status status = mt_anchors_prepare(sources, &systems, &in_fonts, 1000, &kept, &anchors);
+    mt_status status = mt_anchors_prepare(sources, &systems, NULL, 0, &in_fonts, 1000, &kept, &anchors);
     if (status == MT_OK) status = mt_anchors_write(&anchors, &half, &kept, &made);
     mt_allocation_succeed();
     for (int i = 0; i < 2; i++) mt_font_close(fonts[i]);
@@ -427,7 +427,7 @@ static void blend_tables(mt_font *font, const mt_charset *charset, mt_bytes one,
     mt_anchor_source sources[] = {{font, &a, &still}, {font, &b, &still}};
     mt_font_glyphs glyphs = glyphs_of(charset, &scratch);
     mt_places half = at(&(double){0.5});
-    mt_assert_ok(mt_anchors_prepare(sources, &systems, &glyphs, 2048, &scratch, &anchors));
+    mt_assert_ok(mt_anchors_prepare(sources, &systems, NULL, 0, &glyphs, 2048, &scratch, &anchors));
     mt_assert_ok(mt_anchors_write(&anchors, &half, &scratch, &made));
     mt_arena_release(&scratch);
 }
