@@ -115,13 +115,10 @@ static mt_status review_family(const mt_reviewer *reviewer, const mt_font *font)
 
 /* ---- tables -------------------------------------------------------------------------------------------- */
 
-/* Adds "COLR, CPAL of FONT" to the line, where the font has any. */
-static void add_tables(const mt_font *font, mt_notice *line) {
-    static const char *const tags[] = {"COLR", "CPAL", "CBDT", "CBLC", "sbix", "SVG ",
-                                       "EBDT", "EBLC", "EBSC", "bdat", "bloc", "MATH"};
+/* Adds "COLR, CPAL of FONT" to the line, where the font has any of the tables, whose tags stand one after another. */
+static void add_tables(const mt_font *font, const char *tags, mt_notice *line) {
     int count = 0;
-    for (size_t i = 0; i < sizeof tags / sizeof *tags; i++) {
-        const char *tag = tags[i];
+    for (const char *tag = tags; *tag; tag += 4) {
         if (!mt_font_has_table(font, MT_TAG(tag[0], tag[1], tag[2], tag[3]))) continue;
         add(line, "%s%.*s", count ? ", " : line->length ? "; " : "", tag[3] == ' ' ? 3 : 4, tag);
         count++;
@@ -129,12 +126,22 @@ static void add_tables(const mt_font *font, mt_notice *line) {
     if (count > 0) add(line, " of %s", mt_font_spec(font));
 }
 
+/* A line for each kind of table that a blend has none of. */
 static void review_tables(const mt_reviewer *reviewer, const mt_font *a, const mt_font *b) {
-    mt_notice tables = {0}, line = {0};
-    add_tables(a, &tables);
-    add_tables(b, &tables);
-    add(&line, "colour, bitmap and math tables are left out: %s", tables.text);
-    if (tables.length > 0) say(reviewer, &line);
+    static const struct {
+        const char *what, *tags;
+    } kinds[] = {
+        {"colour, bitmap and math tables are", "COLRCPALCBDTCBLCsbixSVG EBDTEBLCEBSCbdatblocMATH"},
+        {"Graphite's rules are", "SilfGlatGlocFeatSill"},
+        {"Apple's layout tables are", "mortmorxkerxankrfeatjustopbdproptraklcar"},
+    };
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        mt_notice tables = {0}, line = {0};
+        add_tables(a, kinds[i].tags, &tables);
+        add_tables(b, kinds[i].tags, &tables);
+        add(&line, "%s left out: %s", kinds[i].what, tables.text);
+        if (tables.length > 0) say(reviewer, &line);
+    }
 }
 
 /* Metrics beside a Type 1 font that could not be read. */

@@ -5,6 +5,7 @@
 
 /* Calls with a line of English for each: what the embedding bits and the licence of a source restrict; a name that a
  * source keeps for itself in `family` (unless NULL); metrics
- * beside a source that cannot be read; colour, bitmap and math tables, which a blend has none of.
+ * beside a source that cannot be read; tables of which a blend has none: colour,
+ * bitmap and math, Graphite's, Apple's layout.
  * MT_NO_MEMORY. */
 mt_status mt_review(const mt_font *a, const mt_font *b, const char *family, mt_warning call, void *user);

@@ -106,7 +106,7 @@ mt_status mt_gpos_feature_list(const mt_gpos_feature *features, int count, mt_ta
 /* ---- scripts ------------------------------------------------------------------------------------------- */
 
 typedef struct mt_sorted_system {
-    uint32_t script, language;
+    uint32_t script, language, required; /* required: the tag of a feature, or 0 */
     int number;
 } mt_sorted_system;
 
@@ -121,7 +121,8 @@ static int by_script(const void *p, const void *q) {
 static int sort_systems(const mt_systems *systems, mt_sorted_system *sorted) {
     int kept = 0;
     for (int i = 0; i < systems->count; i++)
-        sorted[i] = (mt_sorted_system){systems->list[i].script, systems->list[i].language, i};
+        sorted[i] = (mt_sorted_system){systems->list[i].script, systems->list[i].language,
+                                       systems->list[i].required, i};
     qsort(sorted, (size_t)systems->count, sizeof *sorted, by_script);
     for (int i = 0; i < systems->count; i++)
         if (!kept || sorted[kept - 1].script != sorted[i].script ||
@@ -130,14 +131,22 @@ static int sort_systems(const mt_systems *systems, mt_sorted_system *sorted) {
     return kept;
 }
 
-static void write_system(const mt_gpos_feature *features, int count, int system, mt_table *table) {
-    int own = 0;
-    for (int i = 0; i < count; i++) own += features[i].system == system;
+static void write_system(const mt_gpos_feature *features, int count, const mt_sorted_system *system,
+                         mt_table *table) {
+    int own = 0, required = 0xFFFF;
+    for (int i = 0; i < count; i++) {
+        if (features[i].system != system->number) continue;
+        if (features[i].tag == system->required)
+            required = features[i].index;
+        else
+            own++;
+    }
     mt_table_16(table, 0);
-    mt_table_16(table, 0xFFFF); /* no required feature */
+    mt_table_16(table, required);
     mt_table_16(table, own);
     for (int i = 0; i < count; i++)
-        if (features[i].system == system) mt_table_16(table, features[i].index);
+        if (features[i].system == system->number && features[i].tag != system->required)
+            mt_table_16(table, features[i].index);
 }
 
 /* A Script table of the systems, the default first if there is one. */
@@ -152,7 +161,7 @@ static mt_status write_script(const mt_sorted_system *systems, int count, const 
         if (at > UINT16_MAX) status = MT_TOO_LARGE;
         if (i >= defaults) mt_table_32(&records, systems[i].language);
         if (i >= defaults) mt_table_16(&records, (int)at);
-        write_system(features, feature_count, systems[i].number, &bodies);
+        write_system(features, feature_count, &systems[i], &bodies);
     }
     mt_table_16(table, defaults ? (int)start : 0);
     mt_table_16(table, languages);

@@ -8,6 +8,7 @@
 #include "kerning/kern_table.h"
 #include "kerning/prepare.h"
 #include "kerning/write.h"
+#include "layout/at_place.h"
 #include "layout/gdef.h"
 #include "sfnt/sfnt.h"
 
@@ -21,12 +22,24 @@ typedef struct mt_position_source {
     double scale; /* units of the new font in one of this font's */
 } mt_position_source;
 
+/* GPOS, with the features that hold at the font's place on its axes. */
+static mt_status read_gpos(mt_font *font, mt_arena *arena, mt_bytes *gpos) {
+    const int32_t *place;
+    int axes = mt_font_place(font, &place);
+    mt_bytes placed = {0};
+    mt_status status = mt_font_table(font, MT_TAG('G', 'P', 'O', 'S'), arena, gpos);
+    bool varies = axes > 0 && mt_ot_u16(*gpos, 2) > 0;
+    if (status == MT_OK && varies) status = mt_layout_place(*gpos, place, axes, arena, &placed);
+    if (placed.length) *gpos = placed;
+    return status;
+}
+
 static mt_status open_source(mt_font *font, int units, mt_arena *arena, mt_position_source *source) {
     mt_bytes gpos, gdef;
     const int32_t *place;
     int axes = mt_font_place(font, &place);
     *source = (mt_position_source){.font = font, .scale = (double)units / mt_font_units(font)};
-    mt_status status = mt_font_table(font, MT_TAG('G', 'P', 'O', 'S'), arena, &gpos);
+    mt_status status = read_gpos(font, arena, &gpos);
     if (status == MT_OK) status = mt_font_table(font, MT_TAG('G', 'D', 'E', 'F'), arena, &gdef);
     if (status == MT_OK) status = mt_font_kern(font, arena, &source->kern);
     if (status == MT_OK) status = mt_layout_open(gpos, MT_EXTENSION_GPOS, arena, &source->layout);

@@ -1,5 +1,7 @@
 #include "gsub/gsub.h"
 
+#include "layout/at_place.h"
+
 #include "geometry/limits.h"
 #include "sfnt/sfnt.h"
 
@@ -58,7 +60,7 @@ mt_status mt_gsub_open(const mt_font *font, mt_arena *arena, mt_gsub *gsub) {
     int axes = mt_font_place(font, &place);
     mt_bytes table;
     mt_status status = mt_font_table(font, MT_TAG('G', 'S', 'U', 'B'), arena, &table);
-    if (status == MT_OK) status = mt_gsub_place(table, place, axes, arena, &table);
+    if (status == MT_OK) status = mt_layout_place(table, place, axes, arena, &table);
     return status == MT_OK ? mt_gsub_open_table(table, mt_font_glyph_count(font), arena, gsub) : status;
 }
 

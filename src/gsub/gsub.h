@@ -44,7 +44,7 @@ typedef struct mt_gsub_lookup {
 } mt_gsub_lookup;
 
 typedef struct mt_gsub {
-    mt_bytes table;          /* as mt_gsub_place makes it; empty where the font has none */
+    mt_bytes table;          /* as mt_layout_place makes it; empty where the font has none */
     mt_layout layout;        /* of that table */
     int glyph_count;         /* of the font */
     mt_gsub_lookup *lookups; /* layout.lookup_count of them */
@@ -61,12 +61,6 @@ mt_status mt_gsub_open_table(mt_bytes table, int glyph_count, mt_arena *arena, m
 void mt_gsub_mark(const mt_gsub *gsub, int feature, bool *marked);
 
 /* ---- between the files of it --------------------------------------------------------------------------- */
-
-/* gsub_place.c: a table of version 1.0 with the features that hold at the place on the axes, as mt_font_place gives it,
- * and without the features' parameters, which name entries of the font's 'name'. Empty for a table that has no features
- * or whose offsets would not do. MT_NO_MEMORY. */
-mt_status mt_gsub_place(mt_bytes table, const int32_t *place, int axis_count, mt_arena *arena,
-                        mt_bytes *placed);
 
 typedef struct mt_gsub_reader {
     mt_arena *arena;

@@ -71,9 +71,17 @@ static bool is_listed(const mt_systems *systems, uint32_t script, uint32_t langu
 /* The systems of all fonts for a script and language. */
 static mt_shared_system shared_system(const mt_layout *const *layouts, int font_count, uint32_t script,
                                       uint32_t language) {
-    mt_shared_system made = {script, language, {0}};
+    mt_shared_system made = {.script = script, .language = language};
     for (int k = 0; k < font_count; k++) made.own[k] = mt_layout_system(layouts[k], script, language);
     return made;
+}
+
+/* The tag of the feature that a system requires; 0 where it does not. */
+static uint32_t required_of(const mt_layout *layout, int system) {
+    if (system < 0 || layout->systems[system].required < 0) return 0;
+    const mt_system *s = &layout->systems[system];
+    int feature = mt_system_feature(layout, s, s->feature_count);
+    return feature < 0 ? 0 : mt_feature_tag(layout, feature);
 }
 
 static void add_those_of(const mt_layout *const *layouts, int font_count, int font, mt_systems *systems) {
@@ -96,7 +104,7 @@ static void add_plain_ones(int font_count, mt_systems *systems) {
     static const uint32_t scripts[PLAIN_COUNT] = {MT_TAG('D', 'F', 'L', 'T'), MT_TAG('c', 'y', 'r', 'l'),
                                                   MT_TAG('g', 'r', 'e', 'k'), MT_TAG('l', 'a', 't', 'n')};
     for (int i = 0; i < PLAIN_COUNT; i++) {
-        systems->list[i] = (mt_shared_system){scripts[i], MT_LANGUAGE_DEFAULT, {0}};
+        systems->list[i] = (mt_shared_system){.script = scripts[i], .language = MT_LANGUAGE_DEFAULT};
         for (int k = 0; k < font_count; k++) systems->list[i].own[k] = -1;
     }
     systems->count = PLAIN_COUNT;
@@ -115,6 +123,7 @@ mt_status mt_systems_make(const mt_layout *const *layouts, int font_count, mt_ar
         made.list[i].own[0] = i;
     }
     for (int k = 1; k < font_count; k++) add_those_of(layouts, font_count, k, &made);
+    for (int i = 0; i < made.count; i++) made.list[i].required = required_of(layouts[0], made.list[i].own[0]);
     if (made.count == 0) add_plain_ones(font_count, &made);
     *systems = made;
     return MT_OK;

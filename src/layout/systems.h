@@ -8,6 +8,7 @@
 typedef struct mt_shared_system {
     uint32_t script, language;
     int own[MT_STOPS_MAX]; /* indices of the fonts' own systems; -1 where a font has none for such text */
+    uint32_t required; /* the tag of the feature that the first font's system requires; 0 where it does not */
 } mt_shared_system;
 
 /* The first font's own systems come first, in its order and number. */

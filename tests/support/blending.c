@@ -192,7 +192,7 @@ void mt_test_compare(mt_test_place *place, const uint32_t *text, int length) {
 mt_bytes mt_test_one_lookup(uint32_t script, uint32_t feature, int type, const mt_bytes *subtables, int count,
                             mt_arena *arena) {
     mt_member member = {0, feature};
-    mt_shared_system system = {script, MT_LANGUAGE_DEFAULT, {-1, -1}};
+    mt_shared_system system = {script, MT_LANGUAGE_DEFAULT, {-1, -1}, 0};
     mt_systems systems = {1, &system};
     mt_lookup_builder lookup = {.type = type,
                                 .mark_set = -1,

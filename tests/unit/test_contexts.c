@@ -82,7 +82,7 @@ static mt_bytes single(int more) {
 static mt_test_end end_of(const char *name, int units, int type, int format, int more) {
     char *path = mt_sample_path(&arena, directory, name);
     mt_member member = {0, KERN};
-    mt_shared_system system = {MT_TAG('D', 'F', 'L', 'T'), MT_LANGUAGE_DEFAULT, {-1, -1}};
+    mt_shared_system system = {MT_TAG('D', 'F', 'L', 'T'), MT_LANGUAGE_DEFAULT, {-1, -1}, 0};
     mt_systems systems = {1, &system};
     mt_bytes gpos = {0}, value = single(more);
     mt_test_context made_context = context(type, format);

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "layout/at_place.h"
 #include "sfnt/sfnt.h"
 #include "support/check.h"
 #include "support/fonts.h"
@@ -122,7 +123,7 @@ static void features_at_a_place(void **state) {
                  {{0x10000, 0}, 2, 1, 0}, {{0, 0x10000}, 2, 2, 1}, {{0, 0}, 0, 1, 0}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         mt_bytes placed;
-        mt_assert_ok(mt_gsub_place(varying_table(), cases[i].place, cases[i].axes, &arena, &placed));
+        mt_assert_ok(mt_layout_place(varying_table(), cases[i].place, cases[i].axes, &arena, &placed));
         mt_bytes features = mt_ot_follow(placed, 6), feature = mt_ot_follow(features, 6);
         assert_int_equal(mt_ot_u32(placed, 0), 0x00010000);
         assert_int_equal(mt_ot_u16(features, 0), 1);

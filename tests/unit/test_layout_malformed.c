@@ -167,7 +167,7 @@ static void costs_are_bounded(void **state) {
     mt_lookup_builders made = {0};
     for (int i = 0; i < LANGUAGES; i++)
         list[i] = (mt_shared_system){
-            MT_TAG('l', 'a', 't', 'n'), i ? MT_TAG('A', 'A', 'A', 'A') + (uint32_t)i : 0, {0}};
+            MT_TAG('l', 'a', 't', 'n'), i ? MT_TAG('A', 'A', 'A', 'A') + (uint32_t)i : 0, {0}, 0};
     for (int i = 0; i < SUBTABLES; i++) subtables[i] = all_pairs();
     for (int i = 0; i < LOOKUPS; i++) {
         mt_member *members = mt_arena_new(&arena, LANGUAGES, sizeof *members);

@@ -1,4 +1,5 @@
 /* Single adjustment of fonts made for the test: mixed where both have the feature, A's own where only A has. */
+#include "gpos/gpos.h"
 #include "layout/value.h"
 #include "sfnt/sfnt.h"
 #include "support/blending.h"
@@ -129,11 +130,39 @@ static void what_only_b_has_is_left_out(void **state) {
     mt_test_blend_close(&blend);
 }
 
+/* cpsp, which no text has by default, but where it is required. */
+static void required_as_in_the_first(void **state) {
+    (void)state;
+    mt_bytes gpos, own = shared_value(1, 21, 120);
+    mt_member member = {0, CPSP};
+    mt_shared_system system = {MT_TAG('D', 'F', 'L', 'T'), MT_LANGUAGE_DEFAULT, {-1, -1}, CPSP};
+    mt_systems systems = {1, &system};
+    mt_lookup_builder lookup = {.type = 1,
+                                .mark_set = -1,
+                                .member_count = 1,
+                                .members = &member,
+                                .subtable_count = 1,
+                                .subtables = &own};
+    mt_lookup_builders made = {1, 1, &lookup};
+    char *path = mt_sample_path(&arena, directory, "required.ttf");
+    mt_assert_ok(mt_gpos_write(&systems, &made, &arena, &gpos));
+    mt_test_save_blank(path, 1000, FIRST, GLYPHS, MT_TAG('G', 'P', 'O', 'S'), gpos, &arena);
+    mt_test_blend blend =
+        mt_test_blend_of(mt_test_open_end(path, path, 0), end_of("b.ttf", 1000, CPSP, NULL, 0), &arena);
+    mt_test_place place = mt_test_place_at(&blend, 0.5);
+    place.feature = (hb_feature_t){MT_TAG('k', 'e', 'r', 'n'), 1, 0, 1};
+    assert_float_equal(width_at(&place, FIRST), 500 + 120, 0.01);
+    assert_float_equal(width_at(&place, FIRST + 31), 500, 0.01);
+    mt_test_place_close(&place);
+    mt_test_blend_close(&blend);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(mixed_where_both_have_it),
         cmocka_unit_test(a_alone_keeps_its_own),
         cmocka_unit_test(what_only_b_has_is_left_out),
+        cmocka_unit_test(required_as_in_the_first),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -1,8 +1,9 @@
-/* GSUB as it is at one place on the axes (OpenType spec, "FeatureVariations table"). The new table is a header, a list
+/* GSUB or GPOS as it is at one place on the axes (OpenType spec, "FeatureVariations table"). The new table is a header, a list
  * of features, and behind them the old table, whose scripts and lookups the header leads to. */
-#include "gsub/gsub.h"
+#include "layout/at_place.h"
 
 #include "layout/lookup_builder.h"
+#include "layout/ot.h"
 
 enum { HEADER = 10 };
 
@@ -76,8 +77,8 @@ static bool write_features(mt_table *list, mt_bytes features, mt_bytes alternate
     return end <= UINT16_MAX;
 }
 
-mt_status mt_gsub_place(mt_bytes table, const int32_t *place, int axis_count, mt_arena *arena,
-                        mt_bytes *placed) {
+mt_status mt_layout_place(mt_bytes table, const int32_t *place, int axis_count, mt_arena *arena,
+                          mt_bytes *placed) {
     mt_table list = {0}, made = {0};
     size_t scripts = mt_ot_u16(table, 4), lookups = mt_ot_u16(table, 8);
     *placed = (mt_bytes){0};
