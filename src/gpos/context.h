@@ -4,8 +4,7 @@
  * Rules of formats 1 and 2 become rules of classes: of format 1, each of the first font's glyphs is a class by itself, with
  * all new glyphs that are it. Format 3 stays. A rule is left out when one of its places has no glyph any more. What a rule
  * calls is told by the first font's number of the lookup. */
-#ifndef MT_GPOS_CONTEXT_H
-#define MT_GPOS_CONTEXT_H
+#pragma once
 
 #include "glyphset/places.h"
 #include "layout/layout.h"
@@ -86,5 +85,3 @@ typedef struct mt_contexts {
 /* Adds the lookups to GPOS in the making. A rule calls what is there: the lookups of `made`, and those of `contexts`.
  * MT_NO_MEMORY; MT_TOO_LARGE for a rule that no font has. */
 mt_status mt_contexts_write(const mt_contexts *contexts, mt_arena *arena, mt_lookup_builders *made);
-
-#endif

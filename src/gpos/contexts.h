@@ -1,6 +1,5 @@
 /* The first font's contexts, and the lookups that they call. */
-#ifndef MT_GPOS_CONTEXTS_H
-#define MT_GPOS_CONTEXTS_H
+#pragma once
 
 #include "gpos/context.h"
 #include "layout/systems.h"
@@ -18,5 +17,3 @@ typedef struct mt_called_lookups {
 mt_status mt_contexts_prepare(const mt_layout *const *layouts, const mt_systems *systems,
                               const mt_font_glyphs *glyphs, mt_arena *arena, mt_contexts *contexts,
                               mt_called_lookups *called);
-
-#endif

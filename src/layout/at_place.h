@@ -1,6 +1,5 @@
 /* GSUB and GPOS at one place on a font's axes. */
-#ifndef MT_LAYOUT_AT_PLACE_H
-#define MT_LAYOUT_AT_PLACE_H
+#pragma once
 
 #include "base/memory.h"
 #include "morphotype.h"
@@ -11,5 +10,3 @@
  * would not do. MT_NO_MEMORY. */
 mt_status mt_layout_place(mt_bytes table, const int32_t *place, int axis_count, mt_arena *arena,
                           mt_bytes *placed);
-
-#endif

@@ -1,6 +1,5 @@
 /* WOFF2, by Google's libwoff2 (WOFF File Format 2.0, W3C). */
-#ifndef MT_SFNT_WOFF2_H
-#define MT_SFNT_WOFF2_H
+#pragma once
 
 #include "morphotype.h"
 
@@ -17,5 +16,3 @@ bool mt_woff2_is(const uint8_t *bytes, size_t length);
 
 /* The font, or the collection, in a WOFF2, for mt_free. MT_NOT_A_FONT, MT_TOO_LARGE, MT_NO_MEMORY. */
 mt_status mt_woff2_unpack(const uint8_t *bytes, size_t length, uint8_t **font, size_t *font_length);
-
-#endif
