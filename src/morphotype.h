@@ -116,10 +116,30 @@ typedef void (*mt_glyph_failed)(uint32_t code_point, mt_status why, void *user);
 /* Called from time to time while a font is made: `done` of `all` glyphs. */
 typedef void (*mt_progress)(int done, int all, void *user);
 MT_API void mt_blend_on_failure(mt_blend *blend, mt_glyph_failed call, void *user);
+
+/* What is told of a glyph. */
+typedef struct mt_glyph_note {
+    uint32_t code_point; /* the character that leads to it, or that it is a form of; 0: none */
+    bool is_form;        /* no character leads to the glyph itself */
+    uint32_t glyph;      /* its number in the first font */
+    const char *name;    /* its name there, which lasts as long as the call; NULL: none */
+    int font;            /* the font that is the reason, counted from 0; -1: no single one */
+    mt_status why;
+} mt_glyph_note;
+typedef void (*mt_glyph_noted)(const mt_glyph_note *note, void *user);
+/* The same as mt_blend_on_failure, and besides it, with all that is known of the glyph. */
+MT_API void mt_blend_on_glyph_failure(mt_blend *blend, mt_glyph_noted call, void *user);
+/* Called once for each glyph that is the first font's own because the second has none for it (MT_NO_GLYPH). */
+MT_API void mt_blend_on_unblended(mt_blend *blend, mt_glyph_noted call, void *user);
 MT_API void mt_blend_on_progress(mt_blend *blend, mt_progress call, void *user);
 
 /* Names the fonts that follow: the family NAME in place of a name made from both; NULL goes back to that. */
 MT_API mt_status mt_blend_set_family(mt_blend *blend, const char *name);
+
+/* The styles of the fonts that follow, names[i] for the font at the i-th T, in place of those made of T; count 0 goes back to
+ * these. A name of a weight or a width (SemiBold Italic, Condensed Bold) is the font's weight and width too, and one that
+ * ends in Regular, Bold, Italic or Bold Italic is linked as that. */
+MT_API mt_status mt_blend_set_styles(mt_blend *blend, const char *const *names, int count);
 
 /* Called with a line of English, without a full stop; it lasts as long as the call. */
 typedef void (*mt_warning)(const char *line, void *user);
@@ -169,7 +189,7 @@ MT_API int mt_blend_units_per_em(const mt_blend *blend);
 
 /* ---- variable fonts ------------------------------------------------------------------------------------ */
 
-/* One font that varies along an axis, MRPH from 0 (the first font, and the default) to 100 (the last), with the fonts in
+/* One font that varies along an axis, by default MORF from 0 (the first font, and the default) to 100 (the last), with the fonts in
  * between at even distances. Where the outlines of two neighbours need not be compatible, its contours are: each moves on
  * straight lines. */
 typedef struct mt_variable mt_variable;
@@ -184,15 +204,24 @@ MT_API void mt_variable_free(mt_variable *variable); /* NULL is fine */
 /* As the calls for a blend. A glyph that cannot be blended is the nearer font's own, switched over half-way. The glyphs are
  * those that all of the fonts have, or the first font's. Hints are for each two neighbours that have their characters. */
 MT_API void mt_variable_on_failure(mt_variable *variable, mt_glyph_failed call, void *user);
+MT_API void mt_variable_on_glyph_failure(mt_variable *variable, mt_glyph_noted call, void *user);
+MT_API void mt_variable_on_unblended(mt_variable *variable, mt_glyph_noted call, void *user);
 MT_API void mt_variable_on_progress(mt_variable *variable, mt_progress call, void *user);
 MT_API mt_status mt_variable_set_family(mt_variable *variable, const char *name);
+/* Of the font as it stands without a setting; NULL goes back to the name of the first place on its axis. */
+MT_API mt_status mt_variable_set_style(mt_variable *variable, const char *name);
 MT_API mt_status mt_variable_warnings(const mt_variable *variable, mt_warning call, void *user);
 MT_API mt_status mt_variable_set_chars(mt_variable *variable, const uint32_t *code_points, int count);
 MT_API void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set);
 MT_API int mt_variable_unblended(const mt_variable *variable);
 
+/* Another axis than MORF: its tag, of four letters, and what users set for the first font and for the last, which may be
+ * less. A registered tag (wght, wdth, slnt, ital, opsz) brings its name, the names of its places and what the tables say of
+ * weight, width or slant; any other is of capitals and digits. MT_BAD_PARAMETER. */
+MT_API mt_status mt_variable_set_axis(mt_variable *variable, const char *tag, double from, double to);
+
 /* How far the font gets where users set its axis: at values[i] as far as it is at places[i] without a map, in between on
- * straight lines. Both are from 0 to 100; the ends, 0 at 0 and 100 at 100, go without saying. Values ascend, of which 0.01 is
+ * straight lines. Both are from 0, the first font, to 100, the last, whatever the axis; the ends, 0 at 0 and 100 at 100, go without saying. Values ascend, of which 0.01 is
  * always enough (rounded to 2^-14 of the axis they must differ); places do not descend. The fonts have it as 'avar', a
  * designspace as its axis' map. Both arrays are copied; count 0 means no map, as it is without this call. MT_BAD_PARAMETER,
  * MT_NO_MEMORY; the map is then what it was. */

@@ -96,6 +96,10 @@ static int check(const cli_options *options) {
     if (!options->output) return misuse(options->command, "-o OUT.ttf|woff2|ufo is wanted");
     if (!mt_font_format_of(options->output, &format) || format == MT_FONT_DESIGNSPACE)
         return misuse(options->command, "-o %s: blend writes .ttf, .woff2 and .ufo", options->output);
+    int places = options->at_count ? options->at_count : 1;
+    if (options->style_count && options->style_count != places)
+        return misuse(options->command, "--style: %d name%s for %d font%s", options->style_count,
+                      options->style_count == 1 ? "" : "s", places, places == 1 ? "" : "s");
     for (int i = 0; i < options->at_count; i++)
         for (int k = 0; k < i; k++)
             if (options->at[i] == options->at[k])
@@ -131,7 +135,7 @@ const cli_command blend_command = {
             "OUT.ufo is "
             "a\n"
             "directory; one that is there already is replaced when it is a UFO.\n",
-    .takes = "oatcFGS",
+    .takes = "oatcFYGS",
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

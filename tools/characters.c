@@ -94,13 +94,3 @@ void characters_describe(characters *set, int most, char *text, size_t room) {
     int left = count_runs(set, from);
     if (left > 0) snprintf(text + used, room - used, " and %d more range%s", left, left == 1 ? "" : "s");
 }
-
-void character_describe(uint32_t code_point, char *text, size_t room) {
-    char utf8[5] = "";
-    bool hidden = code_point <= ' ' || (code_point >= 0x7f && code_point <= 0xa0);
-    mt_utf8_put(code_point, utf8);
-    if (hidden)
-        snprintf(text, room, "U+%04lX", (unsigned long)code_point);
-    else
-        snprintf(text, room, "%s (U+%04lX)", utf8, (unsigned long)code_point);
-}

@@ -24,5 +24,7 @@ mt_status characters_add_font(characters *set, const mt_font *font);
  * how many follow stands at the end. Sorts the list. */
 void characters_describe(characters *set, int most, char *text, size_t room);
 
-/* Writes "A (U+0041)", or the code point alone where the character cannot be shown. */
+/* character_name.c: writes “A” (U+0041), a mark on a dotted circle, and of what cannot be seen the code point alone or with
+ * its name: U+200D ZERO WIDTH JOINER. */
+enum { CHARACTER_NAME_ROOM = 64 };
 void character_describe(uint32_t code_point, char *text, size_t room);

@@ -29,7 +29,7 @@ static bool is_json(const char *path) {
 
 /* Says what went wrong, at a character or with the output. */
 static int fail_at(const inspection *this, uint32_t code_point, const char *output, mt_status status) {
-    char name[32], fonts[8192];
+    char name[CHARACTER_NAME_ROOM], fonts[8192];
     if (code_point == 0) return fail_status(output, status);
     character_describe(code_point, name, sizeof name);
     if (this->fonts[1])

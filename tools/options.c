@@ -6,6 +6,7 @@
 #include "numbers.h"
 #include "picture/picture.h"
 #include "sfnt/axis_map.h"
+#include "sfnt/axis_names.h"
 
 #include <getopt.h>
 #include <math.h>
@@ -34,8 +35,10 @@ static const option_row rows[] = {
     {'p', false, "rows", "N", "rows on a page; without it, as many as A4's proportions take"},
     {'l', false, "no-labels", NULL, "leave out the T under each step"},
     {'F', false, "family", "NAME", "the new font's family name"},
+    {'Y', false, "style", "NAME[,NAME...]", "the new font's style, such as SemiBold Italic; one for each T"},
     {'G', false, "glyphs", "both|first",
      "those of both fonts, or all of the first's, unblended where need be"},
+    {'X', false, "axis", "TAG=FROM..TO", "the axis, and what users set for the first font and for the last"},
     {'A', false, "avar", "V:P[,V:P...]", "at V on the axis the font stands at P, both from 0 to 100"},
     {'J', false, "json", NULL, "data: on stdout, or into FILE when that ends in .json"},
     {'S', false, "strict", NULL, "a glyph that cannot be blended is an error, not a line on stderr"},
@@ -50,7 +53,7 @@ static const option_row rows[] = {
     {'H', false, "hints", "FILE", "which parts and places of both fonts' glyphs go together"},
     {'j', true, "jobs", "N", "threads (1 ... 1024); without it, one a core"},
     {'q', true, "quiet", NULL, "say nothing but errors"},
-    {'v', true, "verbose", NULL, "say what is done"},
+    {'v', true, "verbose", NULL, "say what is done, and of each glyph by itself"},
     {'h', true, "help", NULL, "show this"},
 };
 #define ROW_COUNT ((int)(sizeof rows / sizeof rows[0]))
@@ -175,6 +178,50 @@ static int read_family(cli_options *options, const char *argument) {
     return GO_ON;
 }
 
+/* Cuts the names at their commas, in place. */
+static int read_styles(cli_options *options, const char *argument) {
+    uint32_t code_point;
+    int room = 1;
+    for (const char *p = argument; *p;) {
+        if (!mt_utf8_next(&p, &code_point)) return misuse(options->command, "--style: not UTF-8");
+        room += code_point == ',';
+    }
+    mt_free(options->style_text);
+    mt_free(options->styles);
+    options->style_text = mt_copy_text(argument);
+    options->styles = mt_new((size_t)room, sizeof *options->styles);
+    if (!options->style_text || !options->styles) return no_memory();
+    options->style_count = 0;
+    for (char *name = options->style_text, *end; name; name = end) {
+        end = strchr(name, ',');
+        if (end) *end++ = '\0';
+        if (!*name)
+            return misuse(options->command, "--style %s: a name, or one for each T, is wanted", argument);
+        options->styles[options->style_count++] = name;
+    }
+    return GO_ON;
+}
+
+/* TAG=FROM..TO */
+static int read_axis(cli_options *options, const char *argument) {
+    char from[32] = "";
+    mt_axis axis = {0};
+    const char *is = strchr(argument, '='), *dots = is ? strstr(is, "..") : NULL;
+    bool whole = is == argument + 4 && dots && (size_t)(dots - is) < sizeof from;
+    if (whole) strncat(from, is + 1, (size_t)(dots - is) - 1);
+    whole = whole && number_read(from, &axis.from) && number_read(dots + 2, &axis.to);
+    for (int i = 0; whole && i < 4; i++) axis.tag = axis.tag << 8 | (uint8_t)argument[i];
+    if (!whole || !mt_axis_is_valid(&axis))
+        return misuse(options->command,
+                      "--axis %s: TAG=FROM..TO is wanted, such as wght=400..900: a registered tag or four "
+                      "capitals, and two numbers that the axis may have",
+                      argument);
+    memcpy(options->axis_tag, argument, 4);
+    options->axis_from = axis.from;
+    options->axis_to = axis.to;
+    return GO_ON;
+}
+
 static int read_glyphs(cli_options *options, const char *argument) {
     bool both = strcmp(argument, "both") == 0;
     options->glyphs = both ? MT_GLYPHS_BOTH : MT_GLYPHS_FIRST;
@@ -216,6 +263,8 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'p': return read_int(options, "rows", argument, 1, 10000, &options->rows);
     case 'l': return options->no_labels = true, GO_ON;
     case 'F': return read_family(options, argument);
+    case 'Y': return read_styles(options, argument);
+    case 'X': return read_axis(options, argument);
     case 'G': return read_glyphs(options, argument);
     case 'A': return read_map(options, argument);
     case 'H': return options->hints_file = argument, GO_ON;
@@ -286,6 +335,8 @@ void options_free(cli_options *options) {
     mt_free(options->at);
     mt_free(options->map_values);
     mt_free(options->map_places);
+    mt_free(options->styles);
+    mt_free(options->style_text);
     mt_free(options->text);
 }
 

@@ -18,8 +18,13 @@ typedef struct cli_options {
     const char *chars_file; /* NULL: not given */
     const char *hints_file; /* NULL: not given */
     const char *family;     /* NULL: not given */
-    double size;            /* 0: not given */
-    int rows;               /* 0: not given */
+    char *style_text;       /* from mt_new; the styles are cut out of it */
+    const char **styles;    /* from mt_new */
+    int style_count;        /* 0: not given */
+    char axis_tag[5];       /* "": not given */
+    double axis_from, axis_to;
+    double size; /* 0: not given */
+    int rows;    /* 0: not given */
     mt_glyph_set glyphs;
     bool no_labels, json, strict, quiet, verbose;
     mt_params params;

@@ -27,6 +27,7 @@ static int check(const cli_options *options) {
     if (!mt_font_format_of(options->output, &format) || format == MT_FONT_UFO)
         return misuse(options->command, "-o %s: variable writes .ttf, .woff2 and .designspace",
                       options->output);
+    if (options->style_count > 1) return misuse(options->command, "--style: one name is wanted");
     mt_status status = mt_save_check(options->output);
     return status == MT_OK ? directory_check(options->output) : fail_status(options->output, status);
 }
@@ -44,21 +45,23 @@ static int run(cli_options *options) {
 const cli_command variable_command = {
     .name = "variable",
     .summary = "one variable font from any two fonts, or more",
-    .help = "usage: morphotype variable FONT FONT [FONT...] -o OUT.ttf|woff2|designspace [OPTION...]\n"
-            "\n"
-            "Makes one font with an axis, MRPH, from 0 (the first font, and the default) to 100 (the last); "
-            "fonts in\n"
-            "between are evenly spaced on it. It has every character that all of the fonts have, or of those "
-            "that --text\n"
-            "or --chars names. With --glyphs first the first font alone counts for this, and what the others "
-            "lack stays\n"
-            "as it is in the first. A glyph that cannot be blended is named on stderr; it switches half-way "
-            "from the one\n"
-            "font's own outline to the other's. OUT.designspace is a document; its masters are UFOs in "
-            "OUT-masters.\n"
-            "With --avar 25:10,50:40 the axis shows at 25 what it shows at 10 without, at 50 what at 40;\n"
-            "in between it is even, and the ends stay.\n",
-    .takes = "otcFGAS",
+    .help =
+        "usage: morphotype variable FONT FONT [FONT...] -o OUT.ttf|woff2|designspace [OPTION...]\n"
+        "\n"
+        "Makes one font with an axis, MORF, from 0 (the first font, and the default) to 100 (the last); "
+        "fonts in\n"
+        "between are evenly spaced on it. It has every character that all of the fonts have, or of those "
+        "that --text\n"
+        "or --chars names. With --glyphs first the first font alone counts for this, and what the others "
+        "lack stays\n"
+        "as it is in the first. A glyph that cannot be blended is named on stderr; it switches half-way "
+        "from the one\n"
+        "font's own outline to the other's. OUT.designspace is a document; its masters are UFOs in "
+        "OUT-masters.\n"
+        "With --avar 25:10,50:40 the axis shows at 25 what it shows at 10 without, at 50 what at 40;\n"
+        "in between it is even, and the ends stay. --axis wght=400..900 makes it the weight axis, named by "
+        "weights.\n",
+    .takes = "otcFYGXAS",
     .fonts_min = 2,
     .fonts_max = MT_VARIABLE_FONTS_MAX,
     .run = run,

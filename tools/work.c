@@ -68,7 +68,7 @@ static void add_lacking(const char *spec, const mt_font *font, const characters 
     int lacking = 0;
     size_t used = strlen(line);
     for (int i = 0; i < wanted->count; i++) {
-        char name[32];
+        char name[CHARACTER_NAME_ROOM];
         if (has_char(font, wanted->list[i])) continue;
         character_describe(wanted->list[i], name, sizeof name);
         if (lacking == 0) snprintf(line + used, room - used, "%s%s lacks %s", used ? "; " : "", spec, name);
@@ -165,50 +165,13 @@ static mt_status summarise(const cli_options *options, mt_font *const *fonts) {
 
 /* ---- glyphs that could not be blended ----------------------------------------------------------- */
 
-/* An mt_glyph_failed. Threads report in any order. */
-static void note_failure(uint32_t code_point, mt_status why, void *user) {
-    cli_work *work = user;
-    if (work->failure_count == work->failure_room) {
-        int room = work->failure_room ? 2 * work->failure_room : 64;
-        failure *failures = mt_grow(work->failures, (size_t)room, sizeof *failures);
-        work->lost_failures |= !failures;
-        if (!failures) return;
-        work->failures = failures;
-        work->failure_room = room;
-    }
-    work->failures[work->failure_count++] = (failure){code_point, why};
-}
-
-static int compare_failures(const void *a, const void *b) {
-    uint32_t x = ((const failure *)a)->code_point, y = ((const failure *)b)->code_point;
-    return (x > y) - (x < y);
-}
-
-static void say_unblended(const cli_work *work) {
-    int count = work->variable ? mt_variable_unblended(work->variable) : mt_blend_unblended(work->blend);
-    if (count == 0 || work->options->quiet) return;
-    bool two = work->options->font_count == 2;
-    say("%d glyph%s that %s %s not stay%s as in %s", count, count == 1 ? "" : "s",
-        two ? work->options->fonts[1] : "the other fonts", two ? "has" : "have", count == 1 ? "s" : "",
-        work->options->fonts[0]);
-}
-
 int work_failures(cli_work *work) {
     const cli_options *options = work->options;
-    int count = work->failure_count;
     progress_erase(&work->bar);
-    say_unblended(work);
-    if (count > 0) qsort(work->failures, (size_t)count, sizeof *work->failures, compare_failures);
-    for (int i = 0; i < count && (options->strict || !options->quiet); i++) {
-        char name[32] = "a glyph of no character";
-        uint32_t c = work->failures[i].code_point;
-        if (i > 0 && c == work->failures[i - 1].code_point) continue; /* forms of one character */
-        if (c) character_describe(c, name, sizeof name);
-        say("%s: not blended, %s: %s", name,
-            options->strict ? "as --strict asks" : "the nearer font's glyph stands in",
-            mt_status_text(work->failures[i].why));
-    }
-    if (work->lost_failures) return fail("%s", mt_status_text(MT_NO_MEMORY));
+    if (!options->quiet) glyph_notes_say_unblended(&work->unblended, options);
+    if (!options->quiet || options->strict) glyph_notes_say_failures(&work->failures, options);
+    int count = work->failures.count;
+    if (work->failures.lost || work->unblended.lost) return fail("%s", mt_status_text(MT_NO_MEMORY));
     if (!options->strict || count == 0) return DONE;
     return fail("%d glyph%s could not be blended; nothing written (--strict)", count, count == 1 ? "" : "s");
 }
@@ -249,11 +212,13 @@ static int make_blend(cli_work *work) {
     if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
     if (status == MT_OK) mt_blend_set_glyphs(work->blend, options->glyphs);
     if (status == MT_OK && options->family) status = mt_blend_set_family(work->blend, options->family);
+    if (status == MT_OK) status = mt_blend_set_styles(work->blend, options->styles, options->style_count);
     if (status == MT_OK && work->chosen.count > 0)
         status = mt_blend_set_chars(work->blend, work->chosen.list, work->chosen.count);
     if (status == MT_OK && work->chosen.count == 0) status = summarise(options, work->fonts);
     if (status != MT_OK) return work_fail(work, status);
-    mt_blend_on_failure(work->blend, note_failure, work);
+    mt_blend_on_glyph_failure(work->blend, glyph_notes_add, &work->failures);
+    mt_blend_on_unblended(work->blend, glyph_notes_add, &work->unblended);
     mt_blend_on_progress(work->blend, progress_draw, &work->bar);
     return DONE;
 }
@@ -264,6 +229,11 @@ static int make_variable(cli_work *work) {
     if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
     if (status == MT_OK) mt_variable_set_glyphs(work->variable, options->glyphs);
     if (status == MT_OK && options->family) status = mt_variable_set_family(work->variable, options->family);
+    if (status == MT_OK && options->style_count)
+        status = mt_variable_set_style(work->variable, options->styles[0]);
+    if (status == MT_OK && *options->axis_tag)
+        status =
+            mt_variable_set_axis(work->variable, options->axis_tag, options->axis_from, options->axis_to);
     if (status == MT_OK)
         status =
             mt_variable_set_map(work->variable, options->map_values, options->map_places, options->map_count);
@@ -271,7 +241,8 @@ static int make_variable(cli_work *work) {
         status = mt_variable_set_chars(work->variable, work->chosen.list, work->chosen.count);
     if (status == MT_OK && work->chosen.count == 0) status = summarise(options, work->fonts);
     if (status != MT_OK) return work_fail(work, status);
-    mt_variable_on_failure(work->variable, note_failure, work);
+    mt_variable_on_glyph_failure(work->variable, glyph_notes_add, &work->failures);
+    mt_variable_on_unblended(work->variable, glyph_notes_add, &work->unblended);
     mt_variable_on_progress(work->variable, progress_draw, &work->bar);
     return DONE;
 }
@@ -321,5 +292,6 @@ void work_end(cli_work *work) {
     mt_variable_free(work->variable);
     for (int i = 0; i < work->options->font_count; i++) mt_font_close(work->fonts[i]);
     characters_free(&work->chosen);
-    mt_free(work->failures);
+    glyph_notes_free(&work->failures);
+    glyph_notes_free(&work->unblended);
 }

@@ -3,13 +3,9 @@
 #pragma once
 
 #include "characters.h"
+#include "glyph_notes.h"
 #include "options.h"
 #include "progress.h"
-
-typedef struct failure {
-    uint32_t code_point;
-    mt_status why;
-} failure;
 
 typedef struct cli_work {
     const cli_options *options;
@@ -18,10 +14,8 @@ typedef struct cli_work {
     mt_variable *variable;                 /* NULL for a blend */
     characters chosen; /* those of --text or --chars that both fonts have; empty without either */
     progress bar;
-    failure *failures; /* glyphs that could not be blended, each once */
-    int failure_count, failure_room;
-    bool lost_failures; /* there was no memory to note one */
-    bool stopped;       /* work_made has said why */
+    glyph_notes failures, unblended;
+    bool stopped; /* work_made has said why */
 } cli_work;
 
 /* Whether the file can be written as far as can be told before the work. DONE or, said, COULD_NOT. */
@@ -46,7 +40,7 @@ int work_begin(const cli_options *options, cli_work *work);
 int work_begin_variable(const cli_options *options, cli_work *work);
 /* Says what is to be known before a font goes out, of sources and tables that are left out. MT_NO_MEMORY. */
 mt_status work_warn(const cli_work *work);
-/* Says which glyphs could not be blended, once all fonts are made. COULD_NOT with --strict and any of them,
+/* Says which glyphs could not be blended and which had no partner, once all fonts are made. COULD_NOT with --strict and any of them,
  * otherwise DONE. */
 int work_failures(cli_work *work);
 /* The same as what a strip or a sheet calls when its fonts are made; the user data is the work. */

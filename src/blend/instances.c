@@ -123,7 +123,7 @@ static mt_status take(mt_glyph_task *task, mt_status prepared, void *user) {
     mt_status status = prepared == MT_OK ? draw(task, fonts) : prepared;
     if (status == MT_OK || status == MT_NO_MEMORY) return status;
     fonts->failed[task->glyph] = true;
-    mt_making_report(task->making, task->glyph, status);
+    mt_task_report(task, status);
     return fall_back(task, fonts);
 }
 
@@ -151,6 +151,7 @@ static mt_status hand_over(mt_making *making, const mt_instances *fonts, mt_font
         mt_add_extra(&data, MT_TAG('G', 'D', 'E', 'F'), making->layout.gdef);
         mt_metadata_fill(row->fonts[0], row->fonts[1], t, &data);
         status = mt_metadata_names(row->fonts[0], row->fonts[1], t, row->family, &making->arena, &data);
+        if (i < row->style_count) mt_metadata_style(row->styles[i], &data);
         if (status == MT_OK) status = add_positions(making->positions, t, &making->arena, &data);
         if (status == MT_OK) status = ready(&data, i, user);
     }

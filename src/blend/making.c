@@ -1,9 +1,45 @@
 /* The glyph set, composites and layout of a row's new font; then every glyph of it, by the workers, to the sinks. */
 #include "blend/making.h"
 
+#include <string.h>
+
 #include "glyphset/new_names.h"
 #include "sfnt/sfnt.h"
 #include "write/extent.h"
+
+/* ---- what is told of glyphs ------------------------------------------------------------------------------ */
+
+/* What is to be told of a glyph. A name made of its number in the new font would be no help. */
+static mt_glyph_note note_of(const mt_making *making, int glyph, int font, mt_status why) {
+    mt_pairing pairing = making->set.charset.glyphs[glyph];
+    const char *name = making->glyph_names ? making->glyph_names[glyph] : NULL;
+    return (mt_glyph_note){.code_point = pairing.code_point,
+                           .is_form = !pairing.mapped,
+                           .glyph = pairing.a,
+                           .name = name && strncmp(name, "glyph", 5) != 0 ? name : NULL,
+                           .font = font,
+                           .why = why};
+}
+
+void mt_making_report(mt_making *making, int glyph, int font, mt_status why) {
+    const mt_glyph_note note = note_of(making, glyph, font, why);
+    if (glyph != 0) mt_row_report(making->row, &note);
+}
+
+void mt_task_report(const mt_glyph_task *task, mt_status why) {
+    int font = task->pair.at_fault < 0 ? -1 : task->step + task->pair.at_fault;
+    mt_making_report(task->making, task->glyph, font, why);
+}
+
+/* Before the first glyph is made: nobody else calls the caller yet. */
+static void note_unblended(const mt_making *making) {
+    const mt_row *row = making->row;
+    for (int i = 1; i < making->glyph_count && row->kept; i++) {
+        if (making->set.charset.glyphs[i].b != MT_NO_PARTNER) continue;
+        const mt_glyph_note note = note_of(making, i, -1, MT_NO_GLYPH);
+        row->kept(&note, row->kept_user);
+    }
+}
 
 /* ---- what there is to make ----------------------------------------------------------------------------- */
 
@@ -48,7 +84,9 @@ mt_status mt_making_begin_font(mt_making *making, mt_row *row) {
     row->unblended = making->set.charset.unblended_count;
     status = mt_composites_find(row, &making->set.fonts, &making->arena, &making->composites);
     if (status == MT_OK) status = order_glyphs(making);
-    return status == MT_OK ? take_layout(making) : status;
+    if (status == MT_OK) status = take_layout(making);
+    if (status == MT_OK) note_unblended(making);
+    return status;
 }
 
 void mt_making_end(mt_making *making) {
@@ -126,10 +164,6 @@ mt_status mt_making_run(mt_making *making) {
         status = run_batch(making);
     }
     return status;
-}
-
-void mt_making_report(mt_making *making, int glyph, mt_status why) {
-    if (glyph != 0) mt_row_report(making->row, making->set.charset.glyphs[glyph].code_point, why);
 }
 
 /* ---- as data ------------------------------------------------------------------------------------------- */

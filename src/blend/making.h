@@ -66,8 +66,11 @@ mt_status mt_making_begin_font(mt_making *making, mt_row *row);
 mt_status mt_making_run(mt_making *making);
 void mt_making_end(mt_making *making);
 
-/* Tells the caller that a glyph could not be made, but for .notdef, which nobody asks for. */
-void mt_making_report(mt_making *making, int glyph, mt_status why);
+/* Tells the caller that a glyph could not be made, but for .notdef, which nobody asks for. `font` is the number of the one that
+ * is the reason, -1 where there is none. */
+void mt_making_report(mt_making *making, int glyph, int font, mt_status why);
+/* The same of a task, whose pair knows the font. */
+void mt_task_report(const mt_glyph_task *task, mt_status why);
 
 /* Called with each font once all glyphs are made: an instance's number, a master's place on the axis (axis.h), 0 for a
  * variable font. A status other than MT_OK ends the making. */

@@ -94,12 +94,15 @@ static mt_status kern(const mt_positions *positions, mt_between between, mt_aren
     return mt_positions_kerning(positions, between.first + between.t, arena, kerning);
 }
 
-static mt_status name_style(int place, mt_arena *arena, const char **style) {
-    enum { NAME_ROOM = 32 };
+/* What the axis says of a place there: of weight, width or slant, and as the style. */
+static mt_status name_place(const mt_axis_data *variation, int place, mt_arena *arena, mt_font_data *master) {
+    enum { NAME_ROOM = 48 };
+    double value = mt_axis_user(&variation->axis, mt_axis_value(place));
     char *name = mt_arena_new(arena, NAME_ROOM, 1);
     if (!name) return MT_NO_MEMORY;
-    snprintf(name, NAME_ROOM, MT_AXIS_NAME " %.6g", mt_axis_value(place));
-    *style = name;
+    snprintf(name, NAME_ROOM, "%s %.6g", variation->name, value);
+    master->style = name;
+    mt_metadata_axis(&variation->axis, value, master->units, &master->metrics);
     return MT_OK;
 }
 
@@ -110,7 +113,7 @@ static mt_status make_master(const mt_making *making, mt_between between, const 
     master->variation = NULL;
     master->extra_count = 0;
     mt_metadata_fill(fonts[0], fonts[1], between.t, master);
-    mt_status status = name_style(place, arena, &master->style);
+    mt_status status = name_place(font->variation, place, arena, master);
     if (status == MT_OK) status = glyphs_at(font, place, arena, &master->glyphs);
     if (status == MT_OK) status = kern(making->positions, between, arena, master);
     return status;

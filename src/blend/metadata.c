@@ -2,7 +2,9 @@
 #include "blend/metadata.h"
 
 #include "source/panose.h"
+#include "write/style.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 int mt_metadata_units(const mt_font *a, const mt_font *b) {
@@ -75,6 +77,31 @@ static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale
     return mix;
 }
 
+/* The caret leans with the letters: rise to the em, run by the angle. */
+static void lean_caret(int units, mt_metrics *metrics) {
+    double run = tan(-metrics->italic_angle * acos(-1) / 180) * units;
+    bool upright = !(fabs(run) >= 0.5 && fabs(run) <= INT16_MAX);
+    metrics->caret_rise = upright ? 1 : units;
+    metrics->caret_run = upright ? 0 : run;
+}
+
+/* ---- styles and axes ----------------------------------------------------------------------------------- */
+
+void mt_metadata_style(const char *name, mt_font_data *data) {
+    const mt_style style = mt_style_read(name);
+    data->style = name;
+    if (style.weight) data->metrics.weight_class = style.weight;
+    if (style.width) data->metrics.width_class = style.width;
+}
+
+void mt_metadata_axis(const mt_axis *axis, double value, int units, mt_metrics *metrics) {
+    if (axis->tag == MT_TAG('w', 'g', 'h', 't')) metrics->weight_class = value;
+    if (axis->tag == MT_TAG('w', 'd', 't', 'h')) metrics->width_class = mt_width_class(value);
+    if (axis->tag != MT_TAG('s', 'l', 'n', 't')) return;
+    metrics->italic_angle = value;
+    lean_caret(units, metrics);
+}
+
 /* ---- dates and rights ---------------------------------------------------------------------------------- */
 
 /* Seconds since 1904: SOURCE_DATE_EPOCH (seconds since 1970) when it is set, else the newer of the sources'
@@ -106,6 +133,7 @@ void mt_metadata_fill(const mt_font *a, const mt_font *b, double t, mt_font_data
     mt_scale scale = {(1 - t) * data->units / mt_font_units(a), t * data->units / mt_font_units(b)};
     settle_lines(&in_a, &in_b, t);
     data->metrics = mix_metrics(&in_a, &in_b, scale, t);
+    lean_caret(data->units, &data->metrics);
     data->created = data->modified = date_of(a, b);
     data->is_symbol = mt_font_is_symbol(a);
     data->embedding = stricter(mt_font_embedding(a), mt_font_embedding(b));

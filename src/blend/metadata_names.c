@@ -155,12 +155,15 @@ static void describe(mt_namer *namer, const mt_source *a, const mt_source *b, do
 static void describe_axis(mt_namer *namer, const mt_source *sources, const double *values, int count,
                           mt_font_data *data) {
     const char *id = formed(namer, "Morphotype %s:", MORPHOTYPE_VERSION), *fonts = "";
+    const uint32_t t = data->variation->axis.tag;
+    const char tag[] = {(char)(t >> 24), (char)(t >> 16 & 0xFF), (char)(t >> 8 & 0xFF), (char)(t & 0xFF),
+                        '\0'};
     for (int i = 0; i < count; i++) {
         const mt_source *s = &sources[i];
         const char *between = i == 0 ? "" : i + 1 < count ? ", " : " and ";
         id = formed(namer, "%s %s %s,", id, s->title, s->version);
-        fonts = formed(namer, "%s%s%s%s%s (" MT_AXIS_TAG_TEXT " = %.4g)", fonts, between, s->title,
-                       *s->version ? ", version " : "", s->version, values[i]);
+        fonts = formed(namer, "%s%s%s%s%s (%s = %.4g)", fonts, between, s->title,
+                       *s->version ? ", version " : "", s->version, tag, values[i]);
     }
     data->unique_id = formed(namer, "%s variable", id);
     data->description = formed(namer, "Varies between %s, by Morphotype %s", fonts, MORPHOTYPE_VERSION);

@@ -166,7 +166,7 @@ static mt_status take(mt_glyph_task *task, mt_status prepared, void *user) {
     if (status == MT_OK)
         status = task->b == MT_NO_PARTNER ? keep_own(task, track) : move(task, stretch, track);
     if (status == MT_OK || status == MT_NO_MEMORY) return status;
-    mt_making_report(task->making, task->glyph, status);
+    mt_task_report(task, status);
     return fall_back(task, stretch, track);
 }
 

@@ -60,9 +60,12 @@ mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_aren
     if (!alone)
         in_b = mt_glyph_shape(row->fonts[step + 1], b, tolerance, arena, &pair->b, &pair->room_b.advance);
     pthread_mutex_unlock(&row->lock);
+    pair->at_fault = in_a != MT_OK ? 0 : in_b != MT_OK ? 1 : -1;
     if (in_a != MT_OK || in_b != MT_OK || alone) return in_a != MT_OK ? in_a : in_b;
     mt_hints hints = mt_hint_index_find(row->hints[step], a, b);
-    return mt_morph_prepare(&pair->a, &pair->b, &hints, &row->params, arena, &pair->morph);
+    mt_status status = mt_morph_prepare(&pair->a, &pair->b, &hints, &row->params, arena, &pair->morph);
+    if (status == MT_NO_COUNTERPART) pair->at_fault = pair->a.count > 0;
+    return status;
 }
 
 mt_status mt_pair_prepare_char(mt_row *row, uint32_t code_point, mt_arena *arena, mt_glyph_pair *pair) {

@@ -16,6 +16,7 @@ typedef struct mt_glyph_pair {
     mt_shape a, b;
     mt_glyph_room room_a, room_b;
     mt_morph morph;
+    int at_fault; /* why it could not be prepared: 0 for A's glyph, 1 for B's; -1 for neither alone */
 } mt_glyph_pair;
 
 /* Reads a glyph as a shape: outline, flattened within `tolerance` (1/1000 em), resolved into components. As

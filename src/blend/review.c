@@ -127,7 +127,11 @@ static void add_tables(const mt_font *font, const char *tags, mt_notice *line) {
 }
 
 /* A line for each kind of table that a blend has none of. */
+<<<<<<< HEAD
+static void review_tables(const mt_reviewer *reviewer, mt_font *const *fonts, int count) {
+=======
 static void review_tables(const mt_reviewer *reviewer, const mt_font *a, const mt_font *b) {
+>>>>>>> posi3
     static const struct {
         const char *what, *tags;
     } kinds[] = {
@@ -137,8 +141,12 @@ static void review_tables(const mt_reviewer *reviewer, const mt_font *a, const m
     };
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
         mt_notice tables = {0}, line = {0};
+<<<<<<< HEAD
+        for (int k = 0; k < count; k++) add_tables(fonts[k], kinds[i].tags, &tables);
+=======
         add_tables(a, kinds[i].tags, &tables);
         add_tables(b, kinds[i].tags, &tables);
+>>>>>>> posi3
         add(&line, "%s left out: %s", kinds[i].what, tables.text);
         if (tables.length > 0) say(reviewer, &line);
     }
@@ -154,16 +162,15 @@ static void review_metrics(const mt_reviewer *reviewer, const mt_font *font) {
 
 /* ---- all of it ----------------------------------------------------------------------------------------- */
 
-mt_status mt_review(const mt_font *a, const mt_font *b, const char *family, mt_warning call, void *user) {
+mt_status mt_review(mt_font *const *fonts, int count, const char *family, mt_warning call, void *user) {
     const mt_reviewer reviewer = {family, call, user};
-    const mt_font *const fonts[] = {a, b};
     mt_status status = MT_OK;
-    for (int i = 0; i < 2 && status == MT_OK; i++) {
+    for (int i = 0; i < count && status == MT_OK; i++) {
         review_embedding(&reviewer, fonts[i]);
         review_license(&reviewer, fonts[i]);
         review_metrics(&reviewer, fonts[i]);
         status = review_family(&reviewer, fonts[i]);
     }
-    if (status == MT_OK) review_tables(&reviewer, a, b);
+    if (status == MT_OK) review_tables(&reviewer, fonts, count);
     return status;
 }

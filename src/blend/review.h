@@ -1,4 +1,4 @@
-/* What a user should know of two fonts before the blend of them goes out. */
+/* What a user should know of the sources before a font made of them goes out. */
 #pragma once
 
 #include "source/font.h"
@@ -8,4 +8,4 @@
  * beside a source that cannot be read; tables of which a blend has none: colour,
  * bitmap and math, Graphite's, Apple's layout.
  * MT_NO_MEMORY. */
-mt_status mt_review(const mt_font *a, const mt_font *b, const char *family, mt_warning call, void *user);
+mt_status mt_review(mt_font *const *fonts, int count, const char *family, mt_warning call, void *user);

@@ -5,6 +5,9 @@
 #include "blend/metadata.h"
 #include "blend/review.h"
 #include "morph/model/params.h"
+#include "sfnt/axis_names.h"
+
+#include <string.h>
 
 /* ---- rows ---------------------------------------------------------------------------------------------- */
 
@@ -31,11 +34,17 @@ static void free_hints(mt_hint_index **hints, int font_count) {
     mt_free(hints);
 }
 
+static void free_styles(char **styles, int count) {
+    for (int i = 0; i < count; i++) mt_free(styles[i]);
+    mt_free(styles);
+}
+
 void mt_row_close(mt_row *row) {
     if (!row->fonts) return;
     free_hints(row->hints, row->font_count);
     mt_free(row->fonts);
     mt_free(row->family);
+    free_styles(row->styles, row->style_count);
     mt_free(row->wanted);
     pthread_mutex_destroy(&row->lock);
 }
@@ -69,11 +78,21 @@ static mt_status set_family(mt_row *row, const char *name) {
     return MT_OK;
 }
 
-static mt_status review(const mt_row *row, mt_warning call, void *user) {
-    mt_status status = MT_OK;
-    for (int i = 0; i + 1 < row->font_count && status == MT_OK; i++)
-        status = mt_review(row->fonts[i], row->fonts[i + 1], row->family, call, user);
-    return status;
+static mt_status set_styles(mt_row *row, const char *const *names, int count) {
+    char **copies = mt_new((size_t)count + 1, sizeof *copies);
+    mt_status status = copies ? MT_OK : MT_NO_MEMORY;
+    for (int i = 0; i < count && status == MT_OK; i++) {
+        copies[i] = mt_copy_text(names[i]);
+        if (!copies[i]) status = MT_NO_MEMORY;
+    }
+    if (status != MT_OK) {
+        if (copies) free_styles(copies, count);
+        return status;
+    }
+    free_styles(row->styles, row->style_count);
+    row->styles = copies;
+    row->style_count = count;
+    return MT_OK;
 }
 
 int mt_row_units(const mt_row *row) {
@@ -95,11 +114,21 @@ void mt_row_pass_progress(int done, int all, void *user) {
     pthread_mutex_unlock(&row->lock);
 }
 
-void mt_row_report(mt_row *row, uint32_t code_point, mt_status why) {
-    if (!row->failed) return;
+void mt_row_report(mt_row *row, const mt_glyph_note *note) {
     pthread_mutex_lock(&row->lock);
-    row->failed(code_point, why, row->failed_user);
+    if (row->failed) row->failed(note->code_point, note->why, row->failed_user);
+    if (row->failure) row->failure(note, row->failure_user);
     pthread_mutex_unlock(&row->lock);
+}
+
+static void on_failure(mt_row *row, mt_glyph_noted call, void *user) {
+    row->failure = call;
+    row->failure_user = user;
+}
+
+static void on_unblended(mt_row *row, mt_glyph_noted call, void *user) {
+    row->kept = call;
+    row->kept_user = user;
 }
 
 /* ---- blends -------------------------------------------------------------------------------------------- */
@@ -126,6 +155,14 @@ void mt_blend_on_failure(mt_blend *blend, mt_glyph_failed call, void *user) {
     blend->row.failed_user = user;
 }
 
+void mt_blend_on_glyph_failure(mt_blend *blend, mt_glyph_noted call, void *user) {
+    on_failure(&blend->row, call, user);
+}
+
+void mt_blend_on_unblended(mt_blend *blend, mt_glyph_noted call, void *user) {
+    on_unblended(&blend->row, call, user);
+}
+
 void mt_blend_on_progress(mt_blend *blend, mt_progress call, void *user) {
     blend->row.progress = call;
     blend->row.progress_user = user;
@@ -135,8 +172,13 @@ mt_status mt_blend_set_family(mt_blend *blend, const char *name) {
     return set_family(&blend->row, name);
 }
 
+mt_status mt_blend_set_styles(mt_blend *blend, const char *const *names, int count) {
+    return set_styles(&blend->row, names, count);
+}
+
 mt_status mt_blend_warnings(const mt_blend *blend, mt_warning call, void *user) {
-    return review(&blend->row, call, user);
+    const mt_row *row = &blend->row;
+    return mt_review(row->fonts, row->font_count, row->family, call, user);
 }
 
 mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count) {
@@ -165,6 +207,7 @@ mt_status mt_variable_new(mt_font *const *fonts, int count, const mt_params *par
     if (count < 2 || count > MT_VARIABLE_FONTS_MAX) return MT_BAD_PARAMETER;
     mt_variable *made = mt_new(1, sizeof *made);
     if (!made) return MT_NO_MEMORY;
+    made->axis = MT_AXIS_DEFAULT;
     mt_status status = mt_row_open(fonts, count, params, &made->row);
     if (status == MT_OK)
         *variable = made;
@@ -185,6 +228,14 @@ void mt_variable_on_failure(mt_variable *variable, mt_glyph_failed call, void *u
     variable->row.failed_user = user;
 }
 
+void mt_variable_on_glyph_failure(mt_variable *variable, mt_glyph_noted call, void *user) {
+    on_failure(&variable->row, call, user);
+}
+
+void mt_variable_on_unblended(mt_variable *variable, mt_glyph_noted call, void *user) {
+    on_unblended(&variable->row, call, user);
+}
+
 void mt_variable_on_progress(mt_variable *variable, mt_progress call, void *user) {
     variable->row.progress = call;
     variable->row.progress_user = user;
@@ -194,8 +245,22 @@ mt_status mt_variable_set_family(mt_variable *variable, const char *name) {
     return set_family(&variable->row, name);
 }
 
+mt_status mt_variable_set_style(mt_variable *variable, const char *name) {
+    return set_styles(&variable->row, &name, name ? 1 : 0);
+}
+
+mt_status mt_variable_set_axis(mt_variable *variable, const char *tag, double from, double to) {
+    mt_axis axis = {.from = from, .to = to};
+    if (strlen(tag) != 4) return MT_BAD_PARAMETER;
+    axis.tag = MT_TAG((uint8_t)tag[0], (uint8_t)tag[1], (uint8_t)tag[2], (uint8_t)tag[3]);
+    if (!mt_axis_is_valid(&axis)) return MT_BAD_PARAMETER;
+    variable->axis = axis;
+    return MT_OK;
+}
+
 mt_status mt_variable_warnings(const mt_variable *variable, mt_warning call, void *user) {
-    return review(&variable->row, call, user);
+    const mt_row *row = &variable->row;
+    return mt_review(row->fonts, row->font_count, row->family, call, user);
 }
 
 mt_status mt_variable_set_chars(mt_variable *variable, const uint32_t *code_points, int count) {

@@ -11,6 +11,7 @@
 #include <pthread.h>
 
 #include "hints/index.h"
+#include "sfnt/axis.h"
 #include "sfnt/axis_map.h"
 #include "source/font.h"
 
@@ -20,14 +21,17 @@ typedef struct mt_row {
     mt_hint_index *
         *hints; /* between each font and the next: font_count - 1 of them; NULL where there are none */
     mt_params params;
-    char *family;     /* NULL: made from the sources' */
+    char *family; /* NULL: made from the sources' */
+    int style_count;
+    char **styles;    /* of the fonts that are made, in their order; the others' are made from their places */
     int wanted_count; /* 0: all characters */
     uint32_t *wanted;
     mt_glyph_set set;
     int unblended; /* glyphs of the last fonts */
     mt_glyph_failed failed;
+    mt_glyph_noted failure, kept; /* of glyphs that could not be blended, and of those without a partner */
     mt_progress progress;
-    void *failed_user, *progress_user;
+    void *failed_user, *failure_user, *kept_user, *progress_user;
     pthread_mutex_t lock;
 } mt_row;
 
@@ -37,6 +41,7 @@ struct mt_blend {
 
 struct mt_variable {
     mt_row row;
+    mt_axis axis;
     mt_axis_map map; /* as mt_variable_set_map has it */
 };
 
@@ -58,5 +63,5 @@ typedef struct mt_row_progress {
 } mt_row_progress;
 /* An mt_progress; `user` is an mt_row_progress. Calls the caller, who may not have asked for it, under the lock. */
 void mt_row_pass_progress(int done, int all, void *user);
-/* Tells the caller, under the lock, that the glyph of a character could not be blended. */
-void mt_row_report(mt_row *row, uint32_t code_point, mt_status why);
+/* Tells the caller, under the lock, that a glyph could not be blended. */
+void mt_row_report(mt_row *row, const mt_glyph_note *note);

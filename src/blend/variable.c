@@ -1,17 +1,14 @@
 /* A variable font: the tracks of each glyph joined, the axis named, all of it as data. */
 #include "blend/variable.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "blend/assemble.h"
 #include "blend/join.h"
 #include "blend/masters.h"
 #include "blend/metadata.h"
 #include "blend/varying_tables.h"
 #include "geometry/limits.h"
-#include "sfnt/axis.h"
+#include "sfnt/axis_names.h"
+#include "write/mirror.h"
 
 typedef struct mt_variable_maker {
     mt_variable *variable;
@@ -34,7 +31,7 @@ static mt_status join_glyphs(mt_variable_maker *maker) {
     for (int i = 0; i < making->glyph_count; i++) {
         mt_status status = mt_tracks_join(making, &maker->outlines, i, &maker->glyphs[i], &maker->paths[i]);
         if (status == MT_TOO_LARGE)
-            mt_making_report(making, i, status);
+            mt_making_report(making, i, -1, status);
         else if (status != MT_OK)
             return status;
     }
@@ -112,66 +109,46 @@ static mt_status find_values(mt_variable_maker *maker) {
     maker->values = mt_arena_new(&maker->making.arena, (size_t)fonts, sizeof *maker->values);
     if (!maker->values) return MT_NO_MEMORY;
     for (int i = 0; i < fonts; i++)
-        maker->values[i] = mt_axis_map_value(&maker->variable->map, maker->outlines.places[i]);
-    return MT_OK;
-}
-
-/* Adds a place, unless one has its name. */
-static mt_status name_place(double value, mt_arena *arena, mt_named_place *named, int *count) {
-    enum { NAME_ROOM = 32 };
-    char *name = mt_arena_new(arena, NAME_ROOM, 1);
-    if (!name) return MT_NO_MEMORY;
-    snprintf(name, NAME_ROOM, MT_AXIS_NAME " %.4g", value);
-    for (int i = 0; i < *count; i++)
-        if (strcmp(named[i].name, name) == 0) return MT_OK;
-    named[(*count)++] = (mt_named_place){value, name};
-    return MT_OK;
-}
-
-static int compare_places(const void *a, const void *b) {
-    double x = ((const mt_named_place *)a)->value, y = ((const mt_named_place *)b)->value;
-    return (x > y) - (x < y);
-}
-
-/* The quarters of the axis, and its fonts. */
-static mt_status name_places(mt_variable_maker *maker, mt_axis_data *variation) {
-    enum { QUARTERS = 4 };
-    mt_arena *arena = &maker->making.arena;
-    int fonts = maker->variable->row.font_count, count = 0;
-    mt_named_place *named = mt_arena_new(arena, QUARTERS + 1 + (size_t)fonts, sizeof *named);
-    mt_status status = named ? MT_OK : MT_NO_MEMORY;
-    for (int i = 0; i <= QUARTERS && status == MT_OK; i++)
-        status = name_place((double)MT_AXIS_END * i / QUARTERS, arena, named, &count);
-    for (int i = 0; i < fonts && status == MT_OK; i++)
-        status = name_place(maker->values[i], arena, named, &count);
-    if (status != MT_OK) return status;
-    qsort(named, (size_t)count, sizeof *named, compare_places);
-    variation->named = named;
-    variation->named_count = count;
+        maker->values[i] = mt_axis_user(&maker->variable->axis,
+                                        mt_axis_map_value(&maker->variable->map, maker->outlines.places[i]));
     return MT_OK;
 }
 
 /* ---- the font ------------------------------------------------------------------------------------------ */
 
-static mt_status hand_over(mt_variable_maker *maker, bool masters, mt_font_ready ready, void *user) {
+/* The names; those of the axis must be known. */
+static mt_status name_font(mt_variable_maker *maker, mt_font_data *data) {
     const mt_row *row = &maker->variable->row;
-    mt_axis_data variation = {.tag = MT_AXIS_TAG,
-                              .name = MT_AXIS_NAME,
-                              .least = 0,
-                              .most = MT_AXIS_END,
-                              .paths = maker->paths,
-                              .map = maker->variable->map};
+    const mt_axis *axis = &maker->variable->axis;
+    mt_arena *arena = &maker->making.arena;
+    mt_status status =
+        mt_metadata_axis_names(row->fonts, maker->values, row->font_count, row->family, arena, data);
+    const char *style = row->style_count ? row->styles[0] : mt_axis_place_name(axis, axis->from, arena);
+    if (status == MT_OK && !style) status = MT_NO_MEMORY;
+    if (status == MT_OK) mt_metadata_style(style, data);
+    return status;
+}
+
+static mt_status mirror_tables(mt_variable_maker *maker, mt_font_data *data) {
+    mt_status status = MT_OK;
+    for (int i = 0; i < data->extra_count && status == MT_OK; i++)
+        status = mt_mirror_table(data->extras[i].tag, &maker->making.arena, &data->extras[i].data);
+    return status;
+}
+
+static mt_status hand_over(mt_variable_maker *maker, bool masters, mt_font_ready ready, void *user) {
+    const mt_variable *variable = maker->variable;
+    const mt_row *row = &variable->row;
+    mt_axis_data variation = {.axis = variable->axis, .paths = maker->paths, .map = variable->map};
     mt_font_data data = mt_making_font(&maker->making, maker->glyphs);
     data.variation = &variation;
     mt_status status = find_values(maker);
-    if (status == MT_OK) status = name_places(maker, &variation);
-    mt_metadata_fill(row->fonts[0], row->fonts[1], 0, &data); /* the font as it stands: at the first one */
     if (status == MT_OK)
-        status = mt_metadata_axis_names(row->fonts, maker->values, row->font_count, row->family,
-                                        &maker->making.arena, &data);
-    if (status != MT_OK) return status;
-    data.style = variation.named[0].name;
-    status = mt_varying_tables_add(&maker->making, &maker->outlines, &data);
+        status = mt_axis_name_places(maker->values, row->font_count, &maker->making.arena, &variation);
+    mt_metadata_fill(row->fonts[0], row->fonts[1], 0, &data); /* the font as it stands: at the first one */
+    if (status == MT_OK) status = mt_varying_tables_add(&maker->making, &maker->outlines, &data);
+    if (status == MT_OK) status = name_font(maker, &data);
+    if (status == MT_OK && mt_axis_goes_down(&variable->axis)) status = mirror_tables(maker, &data);
     if (status != MT_OK) return status;
     return masters ? mt_masters_make(&maker->making, &maker->outlines, &data, ready, user)
                    : ready(&data, 0, user);

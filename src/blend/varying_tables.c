@@ -50,6 +50,7 @@ static mt_status add_rooms(mt_making *making, const mt_outlines *outlines, mt_fo
 /* The font's own are those of the first source, with the lines that can vary. */
 static mt_status add_figures(mt_making *making, mt_font_data *font) {
     int count = making->row->font_count;
+    const mt_axis *axis = &font->variation->axis;
     mt_metrics *metrics = mt_arena_new(&making->arena, (size_t)count, sizeof *metrics);
     if (!metrics) return MT_NO_MEMORY;
     bool vertical = false;
@@ -58,10 +59,13 @@ static mt_status add_figures(mt_making *making, mt_font_data *font) {
         mt_font_data at = {.units = making->units};
         mt_metadata_fill(fonts[0], fonts[1], i ? 1 : 0, &at);
         metrics[i] = at.metrics;
+        mt_metadata_axis(axis, mt_axis_user(axis, (double)MT_AXIS_END * i / (count - 1)), at.units,
+                         &metrics[i]);
         vertical = vertical || at.metrics.vertical;
     }
     for (int i = 0; i < count; i++) metrics[i].vertical = vertical;
     mt_varying_lines(metrics, count);
+    mt_varying_caret(metrics, count);
     mt_bytes mvar;
     mt_status status = mt_mvar_write(metrics, count, &making->arena, &mvar);
     if (status != MT_OK) return status;

@@ -2,6 +2,7 @@
 #include "save/designspace.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -10,7 +11,7 @@
 #include "base/memory.h"
 #include "base/xml.h"
 #include "save/ufo.h"
-#include "sfnt/axis.h"
+#include "sfnt/axis_names.h"
 
 #define EXTENSION ".designspace"
 #define FOLDER "-masters"
@@ -48,8 +49,9 @@ mt_status mt_designspace_check(const char *path) {
 
 /* ---- masters --------------------------------------------------------------------------------------------- */
 
-mt_status mt_designspace_begin(const char *path, const mt_axis_map *map, mt_designspace *designspace) {
-    mt_designspace made = {.path = mt_copy_text(path), .map = map};
+mt_status mt_designspace_begin(const char *path, const mt_axis *axis, const mt_axis_map *map,
+                               mt_designspace *designspace) {
+    mt_designspace made = {.path = mt_copy_text(path), .axis = axis, .map = map};
     char *folder = folder_of(path);
     mt_status status = made.path && folder ? mt_folder_begin(folder, &made.folder) : MT_NO_MEMORY;
     mt_free(folder);
@@ -101,40 +103,46 @@ static void write_real(const char *name, double value, mt_xml *xml) {
     mt_xml_attribute(xml, name, text);
 }
 
-/* In design coordinates: where the map leads to. */
-static void write_location(double place, mt_xml *xml) {
+/* In design coordinates, which are users' where nothing is mapped: where the map leads to. */
+static void write_location(const mt_designspace *designspace, const char *axis, double place, mt_xml *xml) {
     mt_xml_open(xml, "location");
     mt_xml_open(xml, "dimension");
-    mt_xml_attribute(xml, "name", MT_AXIS_NAME);
-    write_real("xvalue", place, xml);
+    mt_xml_attribute(xml, "name", axis);
+    write_real("xvalue", mt_axis_user(designspace->axis, place), xml);
     mt_xml_close(xml);
     mt_xml_close(xml);
 }
 
-static void write_map(const mt_axis_map *map, mt_xml *xml) {
+/* By what users set, ascending. */
+static void write_map(const mt_axis *axis, const mt_axis_map *map, mt_xml *xml) {
     for (int i = 0; i < map->count; i++) {
+        const mt_map_point *point = &map->points[mt_axis_goes_down(axis) ? map->count - 1 - i : i];
         mt_xml_open(xml, "map");
-        write_real("input", map->points[i].value, xml);
-        write_real("output", map->points[i].place, xml);
+        write_real("input", mt_axis_user(axis, point->value), xml);
+        write_real("output", mt_axis_user(axis, point->place), xml);
         mt_xml_close(xml);
     }
 }
 
 /* In user coordinates. */
-static void write_axis(const mt_axis_map *map, mt_xml *xml) {
+static void write_axis(const mt_designspace *designspace, const char *name, mt_xml *xml) {
+    const mt_axis *axis = designspace->axis;
+    const char tag[] = {(char)(axis->tag >> 24), (char)(axis->tag >> 16 & 0xFF),
+                        (char)(axis->tag >> 8 & 0xFF), (char)(axis->tag & 0xFF), '\0'};
     mt_xml_open(xml, "axes");
     mt_xml_open(xml, "axis");
-    mt_xml_attribute(xml, "tag", MT_AXIS_TAG_TEXT);
-    mt_xml_attribute(xml, "name", MT_AXIS_NAME);
-    mt_xml_number(xml, "minimum", 0);
-    mt_xml_number(xml, "maximum", MT_AXIS_END);
-    mt_xml_number(xml, "default", 0);
-    write_map(map, xml);
+    mt_xml_attribute(xml, "tag", tag);
+    mt_xml_attribute(xml, "name", name);
+    write_real("minimum", fmin(axis->from, axis->to), xml);
+    write_real("maximum", fmax(axis->from, axis->to), xml);
+    write_real("default", axis->from, xml);
+    write_map(axis, designspace->map, xml);
     mt_xml_close(xml);
     mt_xml_close(xml);
 }
 
-static void write_source(const mt_designspace *designspace, const struct mt_master *master, mt_xml *xml) {
+static void write_source(const mt_designspace *designspace, const char *axis, const struct mt_master *master,
+                         mt_xml *xml) {
     char file[1024];
     snprintf(file, sizeof file, "%s/%s", designspace->folder_name, master->file);
     mt_xml_open(xml, "source");
@@ -142,31 +150,32 @@ static void write_source(const mt_designspace *designspace, const struct mt_mast
     mt_xml_attribute(xml, "name", master->style);
     mt_xml_attribute(xml, "familyname", master->family);
     mt_xml_attribute(xml, "stylename", master->style);
-    write_location(master->value, xml);
+    write_location(designspace, axis, master->value, xml);
     mt_xml_close(xml);
 }
 
-static void write_instance(const mt_designspace *designspace, int percent, mt_xml *xml) {
-    char style[32];
-    snprintf(style, sizeof style, MT_AXIS_NAME " %d", percent);
+static void write_instance(const mt_designspace *designspace, const char *axis, const mt_named_place *place,
+                           mt_xml *xml) {
+    double along = mt_axis_along(designspace->axis, place->value);
     mt_xml_open(xml, "instance");
     mt_xml_attribute(xml, "familyname", designspace->masters[0].family);
-    mt_xml_attribute(xml, "stylename", style);
-    mt_xml_attribute(xml, "name", style);
-    write_location(mt_axis_map_place(designspace->map, percent), xml);
+    mt_xml_attribute(xml, "stylename", place->name);
+    mt_xml_attribute(xml, "name", place->name);
+    write_location(designspace, axis, mt_axis_map_place(designspace->map, along), xml);
     mt_xml_close(xml);
 }
 
-static void write_document(const mt_designspace *designspace, mt_xml *xml) {
+static void write_document(const mt_designspace *designspace, const mt_axis_data *names, mt_xml *xml) {
     mt_xml_open(xml, "designspace");
     mt_xml_attribute(xml, "format", "4.1");
-    write_axis(designspace->map, xml);
+    write_axis(designspace, names->name, xml);
     mt_xml_open(xml, "sources");
-    for (int i = 0; i < designspace->count; i++) write_source(designspace, &designspace->masters[i], xml);
+    for (int i = 0; i < designspace->count; i++)
+        write_source(designspace, names->name, &designspace->masters[i], xml);
     mt_xml_close(xml);
     mt_xml_open(xml, "instances");
-    for (int percent = 0; percent <= MT_AXIS_END; percent += MT_AXIS_END / 4)
-        write_instance(designspace, percent, xml);
+    for (int i = 0; i < names->named_count; i++)
+        write_instance(designspace, names->name, &names->named[i], xml);
     mt_xml_close(xml);
     mt_xml_close(xml);
 }
@@ -176,15 +185,20 @@ static void write_document(const mt_designspace *designspace, mt_xml *xml) {
 mt_status mt_designspace_place(mt_designspace *designspace) {
     const char *text;
     size_t length;
+    mt_arena arena = {0};
+    mt_axis_data names = {.axis = *designspace->axis};
+    const double ends[] = {names.axis.from, names.axis.to};
     mt_xml xml = mt_xml_begin();
-    write_document(designspace, &xml);
-    mt_status status = mt_xml_end(&xml, &text, &length);
+    mt_status status = mt_axis_name_places(ends, 2, &arena, &names);
+    if (status == MT_OK) write_document(designspace, &names, &xml);
+    if (status == MT_OK) status = mt_xml_end(&xml, &text, &length);
     if (status == MT_OK) status = mt_folder_place(&designspace->folder, FIRST_MASTER "/" MT_UFO_MARK);
     if (status == MT_OK) {
         status = mt_file_write(designspace->path, text, length);
         if (status != MT_OK) mt_folder_remove(designspace->folder.path);
     }
     mt_xml_free(&xml);
+    mt_arena_release(&arena);
     if (status == MT_OK) designspace->length += length;
     return status;
 }

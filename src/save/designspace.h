@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/folder.h"
+#include "sfnt/axis.h"
 #include "sfnt/axis_map.h"
 #include "write/font_data.h"
 
@@ -12,6 +13,7 @@ typedef struct mt_designspace {
     mt_folder folder;
     int count, room;
     struct mt_master *masters;
+    const mt_axis *axis;
     const mt_axis_map *map;
     size_t length; /* of all files, bytes */
 } mt_designspace;
@@ -19,8 +21,9 @@ typedef struct mt_designspace {
 /* Whether both may stand there: mt_file_check, mt_folder_check. */
 mt_status mt_designspace_check(const char *path);
 
-/* Keeps using the map. */
-mt_status mt_designspace_begin(const char *path, const mt_axis_map *map, mt_designspace *designspace);
+/* Keeps using the axis and the map. */
+mt_status mt_designspace_begin(const char *path, const mt_axis *axis, const mt_axis_map *map,
+                               mt_designspace *designspace);
 /* Adds the master at a place of the axis (axis_data.h); the first is at its start, and the last at its end. As mt_ufo_write. */
 mt_status mt_designspace_add(mt_designspace *designspace, const mt_font_data *master, int place);
 /* Moves both to their places, or neither. MT_CANNOT_WRITE (errno says why), MT_NO_MEMORY. */

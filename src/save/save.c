@@ -45,7 +45,8 @@ typedef struct mt_product {
     size_t length;
     mt_folder folder;
     mt_designspace designspace;
-    const mt_axis_map *map; /* of a designspace */
+    const mt_axis *axis;    /* of a designspace */
+    const mt_axis_map *map; /* the same */
 } mt_product;
 
 static bool has_overlaps(const mt_font_data *data) {
@@ -87,7 +88,7 @@ static mt_status make_product(const mt_font_data *data, mt_product *product) {
 static mt_status add_master(const mt_font_data *data, int place, mt_product *product) {
     mt_status status = MT_OK;
     if (!product->designspace.path)
-        status = mt_designspace_begin(product->path, product->map, &product->designspace);
+        status = mt_designspace_begin(product->path, product->axis, product->map, &product->designspace);
     return status == MT_OK ? mt_designspace_add(&product->designspace, data, place) : status;
 }
 
@@ -200,6 +201,7 @@ static mt_status keep_master(const mt_font_data *data, int place, void *user) {
 
 static mt_status make_variable(void *variable, mt_products *products) {
     const mt_variable *made = variable;
+    products->list[0].axis = &made->axis;
     products->list[0].map = &made->map;
     if (products->list[0].format == MT_FONT_DESIGNSPACE)
         return mt_variable_masters(variable, keep_master, products);

@@ -1,6 +1,7 @@
 /* Blended fonts saved in the format of their file's extension: .ttf, .woff2 or .ufo. */
 #pragma once
 
+#include "sfnt/axis.h"
 #include "sfnt/axis_map.h"
 #include "write/font_data.h"
 

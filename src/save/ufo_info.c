@@ -6,6 +6,7 @@
 #include <time.h>
 
 #include "save/ufo_parts.h"
+#include "write/postscript_name.h"
 #include "write/tables.h"
 
 /* ---- figures ---------------------------------------------------------------------------------------------- */
@@ -53,15 +54,16 @@ static void put_linked_style(const char *style, mt_xml *xml) {
     mt_plist_string(xml, "styleMapStyleName", small);
 }
 
-/* The first name, and the second after a blank where there is one; both together are not longer than 'name' takes. */
-static void put_full_name(mt_xml *xml, const char *key, const char *first, const char *second) {
-    size_t room = strlen(first) + strlen(second ? second : "") + 2;
+/* The first name, and after a blank the first `length` bytes of the second where these are any. */
+static void put_full_name(mt_xml *xml, const char *key, const char *first, const char *second,
+                          size_t length) {
+    size_t room = strlen(first) + length + 2;
     char *text = mt_new(room, 1);
     if (!text) {
         xml->failed = true;
         return;
     }
-    snprintf(text, room, "%s%s%s", first, second ? " " : "", second ? second : "");
+    snprintf(text, room, "%s%s%.*s", first, length ? " " : "", (int)length, second);
     mt_plist_string(xml, key, text);
     mt_free(text);
 }
@@ -70,19 +72,18 @@ static void put_full_name(mt_xml *xml, const char *key, const char *first, const
 static void put_names(const mt_font_data *data, const mt_summary *summary, mt_xml *xml) {
     char postscript[MT_POSTSCRIPT_NAME_ROOM];
     const char *linked = mt_linked_style(summary);
-    bool is_linked = strcmp(data->style, linked) == 0;
     double revision = mt_font_revision(data->version);
-    mt_postscript_name(data, postscript);
+    mt_postscript_name(data->family, data->style, postscript);
     mt_plist_string(xml, "familyName", data->family);
     mt_plist_string(xml, "styleName", data->style);
-    put_full_name(xml, "styleMapFamilyName", data->family, is_linked ? NULL : data->style);
+    put_full_name(xml, "styleMapFamilyName", data->family, data->style, summary->own_style);
     put_linked_style(linked, xml);
     mt_plist_integer(xml, "versionMajor", whole(floor(revision), 0, INT16_MAX));
     mt_plist_integer(xml, "versionMinor", whole((revision - floor(revision)) * 1000, 0, 999));
     mt_plist_string(xml, "copyright", data->copyright);
     mt_plist_string(xml, "trademark", data->trademark);
     mt_plist_string(xml, "postscriptFontName", postscript);
-    put_full_name(xml, "postscriptFullName", data->family, data->style);
+    put_full_name(xml, "postscriptFullName", data->family, data->style, strlen(data->style));
     mt_plist_string(xml, "openTypeNamePreferredFamilyName", data->family);
     mt_plist_string(xml, "openTypeNamePreferredSubfamilyName", data->style);
     mt_plist_string(xml, "openTypeNameUniqueID", data->unique_id);

@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "sfnt/axis.h"
 #include "sfnt/axis_map.h"
 
 /* A point in whole font units. */
@@ -24,13 +25,14 @@ enum { MT_PHANTOM_POINTS = 4 };
 typedef struct mt_named_place {
     double value; /* on the axis, as users set it */
     const char *name;
+    bool elided;   /* left out where the names of several axes are joined: Regular */
+    double linked; /* the value of the bold style to this one; the value itself where there is none */
 } mt_named_place;
 
-/* The axis goes from `least`, where the font stands without a setting, to `most`. */
+/* The font stands at axis.from without a setting. */
 typedef struct mt_axis_data {
-    uint32_t tag;
+    mt_axis axis;
     const char *name; /* UTF-8, as are those of the places */
-    double least, most;
     int named_count;
     const mt_named_place *named; /* ascending */
     const mt_glyph_path *paths;  /* one a glyph */

@@ -18,6 +18,7 @@ typedef struct mt_metrics {
     double italic_angle;              /* degrees, anticlockwise from upright: negative leans right */
     double weight_class, width_class; /* OS/2: 1 … 1000, 1 … 9 */
     double caret_offset;
+    double caret_rise, caret_run; /* hhea: how the caret leans, as far up as to the right */
     double vhea_ascender, vhea_descender,
         vhea_line_gap;  /* from the line's middle to the right and to the left */
     uint8_t panose[10]; /* panose.h */
@@ -36,6 +37,8 @@ const char *mt_font_spec(const mt_font *font); /* as it was opened */
 const char *
 mt_font_choice(const mt_font *font); /* of a face and axes, as the spec has it after the file's name; or "" */
 void mt_font_metrics(const mt_font *font, mt_metrics *metrics);
+/* OS/2 usWidthClass of a width as 'wdth' has it, between the classes too. */
+double mt_width_class(double percent);
 void mt_font_names(const mt_font *font, mt_names *names);
 int64_t mt_font_modified(const mt_font *font);   /* head's time: seconds since 1904; 0 when there is none */
 uint16_t mt_font_embedding(const mt_font *font); /* OS/2 fsType */

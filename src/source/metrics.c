@@ -169,7 +169,7 @@ static double guess_weight(const mt_font *font) {
 
 /* The width class of a 'wdth' coordinate, a percentage (OpenType spec, "OS/2": usWidthClass), between the
  * classes too. */
-static double width_class(double percent) {
+double mt_width_class(double percent) {
     static const double percents[] = {50, 62.5, 75, 87.5, 100, 112.5, 125, 150, 200};
     int step = 0;
     while (step < 7 && percent > percents[step + 1]) step++;
@@ -182,7 +182,7 @@ static double width_class(double percent) {
 static void read_classes(const mt_font *font, const TT_OS2 *os2, mt_metrics *metrics) {
     double weight = os2 ? os2->usWeightClass : guess_weight(font), percent;
     double width = os2 ? os2->usWidthClass : WIDTH_NORMAL;
-    if (mt_font_axis(font, MT_TAG('w', 'd', 't', 'h'), &percent)) width = width_class(percent);
+    if (mt_font_axis(font, MT_TAG('w', 'd', 't', 'h'), &percent)) width = mt_width_class(percent);
     mt_font_axis(font, MT_TAG('w', 'g', 'h', 't'), &weight);
     metrics->weight_class = weight >= 1 && weight <= 1000 ? weight : WEIGHT_REGULAR;
     metrics->width_class = width >= 1 && width <= 9 ? width : WIDTH_NORMAL;

@@ -2,16 +2,18 @@
  * font has got where. */
 #include "write/tables.h"
 
+#include <math.h>
+
 #include "sfnt/axis.h"
 #include "sfnt/sfnt.h"
 
-enum { AXIS_RECORD = 20, INSTANCE_RECORD = 8 };
+enum { AXIS_RECORD = 20, INSTANCE_RECORD = 10 };
 
-static void write_axis(const mt_axis_data *variation, mt_table *table) {
-    mt_table_32(table, variation->tag);
-    mt_table_fixed(table, variation->least);
-    mt_table_fixed(table, variation->least); /* where the font stands without a setting */
-    mt_table_fixed(table, variation->most);
+static void write_axis(const mt_axis *axis, mt_table *table) {
+    mt_table_32(table, axis->tag);
+    mt_table_fixed(table, fmin(axis->from, axis->to));
+    mt_table_fixed(table, axis->from); /* where the font stands without a setting */
+    mt_table_fixed(table, fmax(axis->from, axis->to));
     mt_table_16(table, 0); /* flags: users see the axis */
     mt_table_16(table, MT_NAME_AXIS);
 }
@@ -28,54 +30,86 @@ void mt_write_fvar(const mt_font_data *data, const mt_summary *summary, mt_table
     mt_table_16(table, AXIS_RECORD);
     mt_table_16(table, variation->named_count);
     mt_table_16(table, INSTANCE_RECORD);
-    write_axis(variation, table);
+    write_axis(&variation->axis, table);
     for (int i = 0; i < variation->named_count; i++) {
         mt_table_16(table, MT_NAME_PLACES + i);
         mt_table_16(table, 0); /* flags */
         mt_table_fixed(table, variation->named[i].value);
+        mt_table_16(table, MT_NAME_PLACES + variation->named_count + i); /* postScriptNameID */
     }
 }
 
+/* ---- STAT ---------------------------------------------------------------------------------------------- */
+
+enum { NAMED_VALUE = 12, LINKED_VALUE = 16 }; /* bytes of an axis value of format 1, and of 3 */
+
+static bool is_linked(const mt_named_place *place) {
+    return place->linked > place->value;
+}
+
+static void write_value_offsets(const mt_axis_data *variation, mt_table *table) {
+    int at = 2 * variation->named_count;
+    for (int i = 0; i < variation->named_count; i++) {
+        mt_table_16(table, at);
+        at += is_linked(&variation->named[i]) ? LINKED_VALUE : NAMED_VALUE;
+    }
+}
+
+static void write_value(const mt_named_place *place, int name, mt_table *table) {
+    enum { ELIDABLE = 2 };
+    mt_table_16(table,
+                is_linked(place) ? 3 : 1); /* format: a name of one value, with the bold style's or without */
+    mt_table_16(table, 0);                 /* axisIndex */
+    mt_table_16(table, place->elided ? ELIDABLE : 0);
+    mt_table_16(table, name);
+    mt_table_fixed(table, place->value);
+    if (is_linked(place)) mt_table_fixed(table, place->linked);
+}
+
 void mt_write_stat(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
-    enum { HEADER = 20, DESIGN_AXIS = 8, AXIS_VALUE = 12, OFFSET = 2 };
+    enum { HEADER = 20, DESIGN_AXIS = 8 };
     const mt_axis_data *variation = data->variation;
     (void)summary;
     if (!variation) return;
-    int count = variation->named_count;
     mt_table_32(table, 0x00010001);
     mt_table_16(table, DESIGN_AXIS);
     mt_table_16(table, 1); /* designAxisCount */
     mt_table_32(table, HEADER);
-    mt_table_16(table, count);
+    mt_table_16(table, variation->named_count);
     mt_table_32(table, HEADER + DESIGN_AXIS); /* where the offsets of the axis values are */
     mt_table_16(table, MT_NAME_STYLE);        /* elidedFallbackNameID */
-    mt_table_32(table, variation->tag);
+    mt_table_32(table, variation->axis.tag);
     mt_table_16(table, MT_NAME_AXIS);
     mt_table_16(table, 0); /* axisOrdering */
-    for (int i = 0; i < count; i++) mt_table_16(table, count * OFFSET + i * AXIS_VALUE);
-    for (int i = 0; i < count; i++) {
-        mt_table_16(table, 1); /* format: a name of one value */
-        mt_table_16(table, 0); /* axisIndex */
-        mt_table_16(table, 0); /* flags */
-        mt_table_16(table, MT_NAME_PLACES + i);
-        mt_table_fixed(table, variation->named[i].value);
-    }
+    write_value_offsets(variation, table);
+    for (int i = 0; i < variation->named_count; i++)
+        write_value(&variation->named[i], MT_NAME_PLACES + i, table);
 }
 
-static void write_map_point(mt_map_point point, mt_table *table) {
-    mt_table_16(table, mt_axis_place(point.value)); /* fromCoordinate */
-    mt_table_16(table, mt_axis_place(point.place)); /* toCoordinate */
+/* ---- avar ---------------------------------------------------------------------------------------------- */
+
+/* `sign` is -1 on an axis that goes down. */
+static void write_map_point(mt_map_point point, int sign, mt_table *table) {
+    mt_table_16(table, sign * mt_axis_place(point.value)); /* fromCoordinate */
+    mt_table_16(table, sign * mt_axis_place(point.place)); /* toCoordinate */
 }
 
+/* The axis has nothing on the other side of 0, yet each map has an end there. */
 void mt_write_avar(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
     const mt_axis_data *variation = data->variation;
+    const mt_map_point end = {MT_AXIS_END, MT_AXIS_END};
     (void)summary;
     if (!variation || variation->map.count == 0) return;
+    int count = variation->map.count;
     mt_table_32(table, 0x00010000);
     mt_table_16(table, 0); /* reserved */
     mt_table_16(table, 1); /* axisCount */
-    mt_table_16(table, variation->map.count + 1);
-    /* The axis has nothing under 0, yet each map has this. */
-    write_map_point((mt_map_point){-MT_AXIS_END, -MT_AXIS_END}, table);
-    for (int i = 0; i < variation->map.count; i++) write_map_point(variation->map.points[i], table);
+    mt_table_16(table, count + 1);
+    if (mt_axis_goes_down(&variation->axis)) {
+        for (int i = count - 1; i >= 0; i--) write_map_point(variation->map.points[i], -1, table);
+        write_map_point(end, 1, table);
+    } else {
+        write_map_point(end, -1, table);
+        for (int i = 0; i < count; i++) write_map_point(variation->map.points[i], 1, table);
+    }
 }

@@ -188,10 +188,11 @@ static void write_header(const mt_gvar_writer *writer, const mt_tuple *tuple, bo
     mt_table_16(table, (int)length);
     mt_table_16(table, (index < 0 ? EMBEDDED_PEAK : index) | (shared ? 0 : PRIVATE_POINTS) |
                            (is_intermediate(tuple) ? INTERMEDIATE_REGION : 0));
-    if (index < 0) mt_table_16(table, tuple->place);
+    bool down = mt_axis_goes_down(&writer->data->variation->axis);
+    if (index < 0) mt_table_16(table, down ? -tuple->place : tuple->place);
     if (!is_intermediate(tuple)) return;
-    mt_table_16(table, tuple->before);
-    mt_table_16(table, tuple->after);
+    mt_table_16(table, down ? -tuple->after : tuple->before);
+    mt_table_16(table, down ? -tuple->before : tuple->after);
 }
 
 /* Lengths and offsets within a glyph have 16 bits. */
@@ -270,7 +271,8 @@ static void write_whole(const mt_gvar_writer *writer, mt_table *table) {
         else
             mt_table_16(table, (int)(writer->offsets[i] / 2));
     }
-    for (int i = 0; i < writer->shared_count; i++) mt_table_16(table, writer->shared[i]);
+    int sign = mt_axis_goes_down(&writer->data->variation->axis) ? -1 : 1;
+    for (int i = 0; i < writer->shared_count; i++) mt_table_16(table, sign * writer->shared[i]);
     mt_table_bytes(table, writer->glyphs.bytes, writer->glyphs.length);
 }
 

@@ -1,8 +1,6 @@
 /* The horizontal metrics: 'hmtx' and 'hhea'. */
 #include "write/tables.h"
 
-#include <math.h>
-
 /* Advances that repeat to the end of the font are stored once. */
 static int stored_advances(const mt_font_data *data) {
     int count = data->glyph_count;
@@ -18,13 +16,12 @@ void mt_write_hmtx(const mt_font_data *data, const mt_summary *summary, mt_table
     }
 }
 
-/* The caret leans with the letters: rise to the em, run by the angle. */
 static void write_caret(const mt_font_data *data, mt_table *table) {
-    double slope = tan(-data->metrics.italic_angle * acos(-1) / 180), run = slope * data->units;
-    bool upright = !(fabs(run) >= 0.5 && fabs(run) <= INT16_MAX);
-    mt_table_16(table, upright ? 1 : data->units);
-    mt_table_i16_of(table, upright ? 0 : run);
-    mt_table_i16_of(table, data->metrics.caret_offset);
+    const mt_metrics *metrics = &data->metrics;
+    bool given = metrics->caret_rise > 0;
+    mt_table_i16_of(table, given ? metrics->caret_rise : 1);
+    mt_table_i16_of(table, given ? metrics->caret_run : 0);
+    mt_table_i16_of(table, metrics->caret_offset);
 }
 
 void mt_write_hhea(const mt_font_data *data, const mt_summary *summary, mt_table *table) {

@@ -6,6 +6,12 @@
 #include "sfnt/var_store.h"
 #include "write/varying.h"
 
+void mt_varying_caret(mt_metrics *stops, int stop_count) {
+    double rise = 0;
+    for (int i = 0; i < stop_count; i++) rise = fmax(rise, stops[i].caret_rise);
+    for (int i = 0; i < stop_count; i++) stops[i].caret_rise = rise;
+}
+
 void mt_varying_lines(mt_metrics *stops, int stop_count) {
     for (int i = 0; i < stop_count; i++) {
         mt_metrics *stop = &stops[i];
@@ -33,6 +39,8 @@ static const mt_figure figures[] = {
     {MT_TAG('h', 'c', 'l', 'a'), offsetof(mt_metrics, win_ascent), true, false},
     {MT_TAG('h', 'c', 'l', 'd'), offsetof(mt_metrics, win_descent), true, false},
     {MT_TAG('h', 'c', 'o', 'f'), offsetof(mt_metrics, caret_offset), false, false},
+    {MT_TAG('h', 'c', 'r', 'n'), offsetof(mt_metrics, caret_run), false, false},
+    {MT_TAG('h', 'c', 'r', 's'), offsetof(mt_metrics, caret_rise), false, false},
     {MT_TAG('h', 'd', 's', 'c'), offsetof(mt_metrics, typo_descender), false, false},
     {MT_TAG('h', 'l', 'g', 'p'), offsetof(mt_metrics, typo_line_gap), false, false},
     {MT_TAG('s', 'b', 'x', 'o'), offsetof(mt_metrics, subscript_offset[0]), false, false},

@@ -1,14 +1,14 @@
 /* The names: 'name', for Windows in English (US), which every platform reads.
  *
- * A family of old applications has four styles at most. A font of any other style is given to them as a
- * family of its own, FAMILY STYLE, and its true family and style stand in names 16 and 17. */
+ * A family of old applications has four styles at most. A font of any other style is given to them as one of a family of
+ * its own, FAMILY STYLE (style.h), and its true family and style stand in names 16 and 17. */
 #include "write/tables.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "base/utf.h"
 #include "sfnt/sfnt.h"
+#include "write/postscript_name.h"
 
 enum { WINDOWS = 3, UNICODE_BMP = 1, ENGLISH = 0x409, HEADER = 6, RECORD = 12 };
 
@@ -16,94 +16,70 @@ typedef struct mt_naming {
     mt_table records, strings; /* records in the order of the ids */
 } mt_naming;
 
-/* UTF-16, big-endian. */
-static void put_text(const char *text, mt_table *strings) {
+/* The first `length` bytes of the text as UTF-16, big-endian. */
+static void put_text(const char *text, size_t length, mt_table *strings) {
     uint32_t c;
-    while (mt_utf8_next(&text, &c) && c) {
+    const char *end = text + length;
+    while (text < end && mt_utf8_next(&text, &c) && c) {
         if (c >= 0x10000) mt_table_16(strings, (int)(0xD800 + ((c - 0x10000) >> 10)));
         mt_table_16(strings, (int)(c >= 0x10000 ? 0xDC00 + ((c - 0x10000) & 0x3FF) : c));
     }
 }
 
-/* Adds the name `first`, or `first second` when there is a second. */
-static void add_name(int id, const char *first, const char *second, mt_naming *naming) {
+/* Adds the name `first`, followed by a blank and the first `length` bytes of `second` where these are any. */
+static void add_joined(int id, const char *first, const char *second, size_t length, mt_naming *naming) {
     size_t start = naming->strings.length;
-    if (!first) return;
-    put_text(first, &naming->strings);
-    if (second) put_text(" ", &naming->strings);
-    if (second) put_text(second, &naming->strings);
+    put_text(first, strlen(first), &naming->strings);
+    if (length) put_text(" ", 1, &naming->strings);
+    if (length) put_text(second, length, &naming->strings);
     const int record[] = {WINDOWS,   UNICODE_BMP, ENGLISH, id, (int)(naming->strings.length - start),
                           (int)start};
     for (int i = 0; i < RECORD / 2; i++) mt_table_16(&naming->records, record[i]);
 }
 
-/* ---- the PostScript name ------------------------------------------------------------------------------- */
-
-enum { POSTSCRIPT_MAX = MT_POSTSCRIPT_NAME_ROOM - 1, POSTSCRIPT_STYLE_MAX = 31 };
-
-/* Copies what a PostScript name may hold; writes a character beyond ASCII as u and its hexadecimal code
- * point, so that names in any script stay apart, and leaves the rest out. At most `limit` bytes and a NUL. */
-static void copy_printable(const char *text, size_t limit, char *name) {
-    size_t length = 0;
-    uint32_t c;
-    while (mt_utf8_next(&text, &c) && c) {
-        char escaped[12] = {(char)c};
-        if (c <= ' ' || c == 0x7F || (c < 0x7F && strchr("[](){}<>/%-", (int)c))) continue;
-        if (c > 0x7F) snprintf(escaped, sizeof escaped, "u%04X", (unsigned)c);
-        if (length + strlen(escaped) > limit) break;
-        memcpy(name + length, escaped, strlen(escaped));
-        length += strlen(escaped);
-    }
-    name[length] = '\0';
-}
-
-void mt_postscript_name(const mt_font_data *data, char name[MT_POSTSCRIPT_NAME_ROOM]) {
-    char style[POSTSCRIPT_STYLE_MAX + 1];
-    copy_printable(data->style, POSTSCRIPT_STYLE_MAX, style);
-    copy_printable(data->family, POSTSCRIPT_MAX - 1 - strlen(style), name);
-    strcat(name, "-");
-    strcat(name, style);
-}
-
-static void add_postscript_name(const mt_font_data *data, mt_naming *naming) {
-    char name[MT_POSTSCRIPT_NAME_ROOM];
-    mt_postscript_name(data, name);
-    add_name(MT_NAME_POSTSCRIPT, name, NULL, naming);
+/* Nothing for NULL. */
+static void add_name(int id, const char *text, mt_naming *naming) {
+    if (text) add_joined(id, text, "", 0, naming);
 }
 
 /* ---- the axis ------------------------------------------------------------------------------------------ */
 
-/* Of the family alone, without what stands for another character. */
+/* The PostScript names of the places stand behind their names. */
 static void add_axis_names(const mt_font_data *data, mt_naming *naming) {
     const mt_axis_data *variation = data->variation;
-    char prefix[MT_POSTSCRIPT_NAME_ROOM];
-    copy_printable(data->family, POSTSCRIPT_MAX - POSTSCRIPT_STYLE_MAX, prefix);
-    add_name(MT_NAME_VARIATIONS_PREFIX, prefix, NULL, naming);
-    add_name(MT_NAME_AXIS, variation->name, NULL, naming);
-    for (int i = 0; i < variation->named_count; i++)
-        add_name(MT_NAME_PLACES + i, variation->named[i].name, NULL, naming);
+    char name[MT_POSTSCRIPT_NAME_ROOM];
+    int count = variation->named_count;
+    mt_postscript_prefix(data->family, name);
+    add_name(MT_NAME_VARIATIONS_PREFIX, name, naming);
+    add_name(MT_NAME_AXIS, variation->name, naming);
+    for (int i = 0; i < count; i++) add_name(MT_NAME_PLACES + i, variation->named[i].name, naming);
+    for (int i = 0; i < count; i++) {
+        mt_postscript_place_name(data->family, variation->named[i].name, name);
+        add_name(MT_NAME_PLACES + count + i, name, naming);
+    }
 }
 
 /* ---- the table ----------------------------------------------------------------------------------------- */
 
 static void add_names(const mt_font_data *data, const mt_summary *summary, mt_naming *naming) {
     const char *linked = mt_linked_style(summary);
-    bool is_linked = strcmp(data->style, linked) == 0;
-    add_name(MT_NAME_COPYRIGHT, data->copyright, NULL, naming);
-    add_name(MT_NAME_FAMILY, data->family, is_linked ? NULL : data->style, naming);
-    add_name(MT_NAME_STYLE, linked, NULL, naming);
-    add_name(MT_NAME_UNIQUE_ID, data->unique_id, NULL, naming);
-    add_name(MT_NAME_FULL, data->family, data->style, naming);
-    add_name(MT_NAME_VERSION, data->version, NULL, naming);
-    add_postscript_name(data, naming);
-    add_name(MT_NAME_TRADEMARK, data->trademark, NULL, naming);
-    add_name(MT_NAME_DESIGNER, data->designer, NULL, naming);
-    add_name(MT_NAME_DESCRIPTION, data->description, NULL, naming);
-    add_name(MT_NAME_LICENSE, data->license, NULL, naming);
-    add_name(MT_NAME_LICENSE_URL, data->license_url, NULL, naming);
-    if (!is_linked) {
-        add_name(MT_NAME_TYPOGRAPHIC_FAMILY, data->family, NULL, naming);
-        add_name(MT_NAME_TYPOGRAPHIC_STYLE, data->style, NULL, naming);
+    char postscript[MT_POSTSCRIPT_NAME_ROOM];
+    mt_postscript_name(data->family, data->style, postscript);
+    add_name(MT_NAME_COPYRIGHT, data->copyright, naming);
+    add_joined(MT_NAME_FAMILY, data->family, data->style, summary->own_style, naming);
+    add_name(MT_NAME_STYLE, linked, naming);
+    add_name(MT_NAME_UNIQUE_ID, data->unique_id, naming);
+    add_joined(MT_NAME_FULL, data->family, data->style, strlen(data->style), naming);
+    add_name(MT_NAME_VERSION, data->version, naming);
+    add_name(MT_NAME_POSTSCRIPT, postscript, naming);
+    add_name(MT_NAME_TRADEMARK, data->trademark, naming);
+    add_name(MT_NAME_DESIGNER, data->designer, naming);
+    add_name(MT_NAME_DESCRIPTION, data->description, naming);
+    add_name(MT_NAME_LICENSE, data->license, naming);
+    add_name(MT_NAME_LICENSE_URL, data->license_url, naming);
+    if (strcmp(data->style, linked) != 0) {
+        add_name(MT_NAME_TYPOGRAPHIC_FAMILY, data->family, naming);
+        add_name(MT_NAME_TYPOGRAPHIC_STYLE, data->style, naming);
     }
     if (data->variation) add_axis_names(data, naming);
 }

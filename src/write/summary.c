@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "write/style.h"
+
 static int min(int a, int b) {
     return a < b ? a : b;
 }
@@ -43,20 +45,13 @@ static void add_counts(mt_summary *summary, const mt_glyf *glyph, const mt_exten
     summary->max_depth = max(summary->max_depth, extent->depth);
 }
 
-/* A style of that name says so itself; any other is judged by its figures. */
-static bool is_bold(const mt_font_data *data) {
-    if (strcmp(data->style, "Bold") == 0 || strcmp(data->style, "Bold Italic") == 0) return true;
-    return data->metrics.weight_class >= 700;
-}
-
-static bool is_italic(const mt_font_data *data) {
-    if (strcmp(data->style, "Italic") == 0 || strcmp(data->style, "Bold Italic") == 0) return true;
-    return data->metrics.italic_angle < 0 || data->metrics.italic_angle > 0;
-}
-
+/* A style whose name has a weight or a slope says so itself; any other is judged by its figures. */
 void mt_summarise_style(const mt_font_data *data, mt_summary *summary) {
-    summary->bold = is_bold(data);
-    summary->italic = is_italic(data);
+    const mt_style style = mt_style_read(data->style);
+    double angle = data->metrics.italic_angle;
+    summary->bold = style.is_linked ? style.bold : data->metrics.weight_class >= 700;
+    summary->italic = style.is_linked ? style.italic : angle < 0 || angle > 0;
+    summary->own_style = style.is_linked ? style.own : strlen(data->style);
 }
 
 void mt_summarise(const mt_font_data *data, mt_summary *summary) {

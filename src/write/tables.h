@@ -14,6 +14,7 @@ typedef struct mt_summary {
     int min_left, min_right, max_extent; /* side bearings, and the farthest xMax: of the glyphs with points */
     int max_height, min_top, min_bottom, max_vertical_extent; /* the same of vertical lines */
     bool bold, italic; /* as the style links of 'name', head and OS/2 tell it */
+    size_t own_style;  /* bytes of the style's name that belong to the family there; style.h */
     uint32_t *offsets; /* into glyf: glyph_count + 1 of them */
 } mt_summary;
 
@@ -21,7 +22,7 @@ typedef struct mt_summary {
 mt_status mt_font_data_check(const mt_font_data *data);
 
 /* write_summary.c */
-void mt_summarise_style(const mt_font_data *data, mt_summary *summary); /* bold and italic */
+void mt_summarise_style(const mt_font_data *data, mt_summary *summary); /* bold, italic and own_style */
 void mt_summarise(const mt_font_data *data, mt_summary *summary); /* from the extents; all but the offsets */
 /* The one of Regular, Bold, Italic and Bold Italic that the font is linked as. */
 const char *mt_linked_style(const mt_summary *summary);
@@ -57,10 +58,6 @@ int mt_top_bearing(const mt_glyf *glyph, const mt_extent *extent);
 
 /* write_head.c: the first decimal number of the version text, such as 1.25 of "Version 1.25; …"; 1 without one. */
 double mt_font_revision(const char *version);
-
-/* write_name.c: FAMILY-STYLE, the family cut short where both do not fit. */
-enum { MT_POSTSCRIPT_NAME_ROOM = 64 };
-void mt_postscript_name(const mt_font_data *data, char name[MT_POSTSCRIPT_NAME_ROOM]);
 
 /* write_cmap14.c: the subtable of variation sequences. */
 void mt_write_variation_sequences(const mt_font_data *data, mt_table *table);

@@ -10,6 +10,10 @@
  * former are used. For MVAR's "hasc", "hdsc" and "hlgp" are of OS/2, and readers add them to whichever lines they use. */
 void mt_varying_lines(mt_metrics *stops, int stop_count);
 
+/* Gives each stop a caret that rises as far as that of any: where one leans (its rise is the em then) the others lean by none
+ * of it, and only the run varies. */
+void mt_varying_caret(mt_metrics *stops, int stop_count);
+
 /* HVAR and VVAR: the advances of `glyph_count` glyphs at each stop, stops[0] being the default. Of bearings both have
  * nothing: these follow from the outlines, and from gvar's points for the origins. In the arena. MT_NO_MEMORY,
  * MT_TOO_LARGE. */
@@ -19,6 +23,6 @@ mt_status mt_vvar_write(mt_glyf *const *stops, int stop_count, int glyph_count, 
                         mt_bytes *vvar);
 
 /* MVAR: the font-wide figures that have a tag there and are not the same at all stops; vhea's where the first stop has
- * vertical metrics. The caret's slope does not vary. In the arena; no bytes where nothing varies. MT_NO_MEMORY,
+ * vertical metrics. In the arena; no bytes where nothing varies. MT_NO_MEMORY,
  * MT_TOO_LARGE. */
 mt_status mt_mvar_write(const mt_metrics *stops, int stop_count, mt_arena *arena, mt_bytes *mvar);

@@ -50,7 +50,7 @@ shape_buffer = function('hb_shape', None, POINTER, POINTER, POINTER, ctypes.c_ui
 
 
 class Font:
-    """A font file, at a place of its axis MRPH where one is given."""
+    """A font file, at a place of its axis MORF where one is given."""
 
     def __init__(self, path, place=None):
         blob = blob_create(os.fsencode(path))
@@ -59,7 +59,7 @@ class Font:
         face_destroy(face)
         blob_destroy(blob)
         if place is not None:
-            axis = int.from_bytes(b'MRPH', 'big')
+            axis = int.from_bytes(b'MORF', 'big')
             set_variations(self.font, ctypes.byref(Variation(axis, place)), 1)
 
     def __enter__(self):

@@ -129,7 +129,7 @@ class Failures(cli.Test):
     def test_named_and_the_run_goes_on(self):
         said = self.made('blend', cli.SANS_BOLD, 'blank.ttf', '--text', 'ABC', '--at', '0.25,0.75', '-o', 'x.ttf')
         self.assertEqual(len(said), 1, said)
-        self.assertIn('B (U+0042)', said[0])
+        self.assertIn('“B” (U+0042)', said[0])
         self.assertIn('blank', said[0])
         for t, contours in (('0.25', 3), ('0.75', 0)):
             font = ttLib.TTFont(self.path(f'x-{t}.ttf'))
@@ -146,7 +146,7 @@ class Failures(cli.Test):
             lines = result.stderr.decode().splitlines()
             self.assertEqual(result.returncode, 1, lines)
             self.assertEqual(len(lines), 2, lines)
-            self.assertIn('B (U+0042)', lines[0])
+            self.assertIn('“B” (U+0042)', lines[0])
             self.assertIn('nothing written', lines[1])
             self.assertEqual(self.files(), before)
 

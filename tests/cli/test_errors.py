@@ -67,12 +67,12 @@ class Characters(cli.Test):
         for command, output in COMMANDS:
             with self.subTest(command=command):
                 said = self.refused(1, command, cli.SANS_BOLD, cli.SERIF, '--text', 'A形永A', '-o', output,
-                                    says=['形 (U+5F62), 永 (U+6C38)', f'{cli.SANS_BOLD} lacks', f'{cli.SERIF} lacks'])
+                                    says=['“形” (U+5F62), “永” (U+6C38)', f'{cli.SANS_BOLD} lacks', f'{cli.SERIF} lacks'])
                 self.assertNotIn('U+0041', said)
 
     def test_only_the_font_that_lacks_them_is_named(self):
         latin = cli.cut_font(self.path('latin.ttf'), 'ABC')
-        self.refused(1, 'strip', cli.SERIF, latin, '--text', 'AЖ', '-o', 'x.png', says=['latin.ttf lacks Ж (U+0416)'])
+        self.refused(1, 'strip', cli.SERIF, latin, '--text', 'AЖ', '-o', 'x.png', says=['latin.ttf lacks “Ж” (U+0416)'])
         self.assertNotIn(str(cli.SERIF), self.refused(1, 'strip', cli.SERIF, latin, '--text', 'Ж', '-o', 'x.png'))
 
     def test_many_of_them_stay_one_line(self):
@@ -85,7 +85,7 @@ class Characters(cli.Test):
         self.assertNotIn('\x1b', said)
 
     def test_one_font(self):
-        self.refused(1, 'inspect', cli.SERIF, '--text', '形', '--json', says=[cli.SERIF, '形 (U+5F62)'])
+        self.refused(1, 'inspect', cli.SERIF, '--text', '形', '--json', says=[cli.SERIF, '“形” (U+5F62)'])
 
     def test_nothing_in_common(self):
         upper, lower = (cli.cut_font(self.path(name), text) for name, text in (('A.ttf', 'XYZ'), ('B.ttf', 'xyz')))
@@ -97,7 +97,7 @@ class Characters(cli.Test):
     def test_drawn_in_one_font_only(self):
         cli.cut_font(self.path('blank.ttf'), 'AB', blank='B')
         self.refused(1, 'inspect', cli.SANS_BOLD, 'blank.ttf', '--text', 'AB', '-o', 'x.svg',
-                     says=['blank.ttf', 'B (U+0042)'])
+                     says=['blank.ttf', '“B” (U+0042)'])
 
 
 class CharactersFile(cli.Test):

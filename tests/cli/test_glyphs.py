@@ -72,7 +72,7 @@ class First(cli.Test):
 
     def test_one_character(self):
         said = self.made('blend', ROMAN, cli.SERIF, '--glyphs', 'first', '--text', 'm℅', '--at', '0.25,1', '-o', 'x.ttf')
-        self.assertIn(f'morphotype: 1 glyph that {cli.SERIF} has not stays as in {ROMAN}', said)
+        self.assertIn(f'morphotype: 1 glyph that {cli.SERIF} has not stays as in {ROMAN}: “℅” (U+2105)', said)
         original = ttLib.TTFont(ROMAN)
         for t in ('0.25', '1'):
             font = ttLib.TTFont(self.path(f'x-{t}.ttf'))

@@ -179,7 +179,7 @@ class Usage(Specimen):
         before = self.files()
         result = self.run_program('specimen', cli.SANS_BOLD, font, '--strict', '-o', 'x.html')
         self.assertEqual(result.returncode, 1)
-        self.assertIn(b'B (U+0042)', result.stderr)
+        self.assertIn('“B” (U+0042)', result.stderr.decode())
         self.assertEqual(self.files(), before)
         page = self.specimen('--text', 'AB', fonts=(cli.SANS_BOLD, font))
         self.assertEqual([glyph['character'] for glyph in data_of(page)['flagged']], ['B'])

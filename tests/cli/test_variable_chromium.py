@@ -79,7 +79,7 @@ class Drawn(unittest.TestCase):
         """Rows of grey."""
         self.browser.run('''const [family, place, size, text] = arguments, all = document.getElementById("all");
             all.style.font = `${size}px/${1.25 * size}px ${family}`;
-            all.style.fontVariationSettings = family === "V" ? `"MRPH" ${place}` : "normal";
+            all.style.fontVariationSettings = family === "V" ? `"MORF" ${place}` : "normal";
             all.replaceChildren(...[...text].map(character => {
                 const box = document.createElement("span");
                 box.textContent = character;

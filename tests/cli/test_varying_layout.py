@@ -85,7 +85,7 @@ class Instances(cli.Test):
         fonts = SANS, INTER, cli.SERIF
         self.made('variable', *fonts, '--text', LETTERS, '-q', '-o', 'v.ttf')
         for i, font in enumerate(fonts):
-            instance = instancer.instantiateVariableFont(ttLib.TTFont(self.path('v.ttf')), {'MRPH': 50 * i})
+            instance = instancer.instantiateVariableFont(ttLib.TTFont(self.path('v.ttf')), {'MORF': 50 * i})
             instance.save(self.path('i.ttf'))
             self.made('blend', SANS, font, '--text', LETTERS, '-q', '-o', 'x.ttf', '--at', '1')
             scale = instance['head'].unitsPerEm / ttLib.TTFont(self.path('x.ttf'))['head'].unitsPerEm
@@ -109,7 +109,7 @@ class Instances(cli.Test):
         self.assertEqual((font['hhea'].ascent, font['hhea'].descent, font['hhea'].lineGap), lines[0])
         self.assertNotEqual(*lines)
         for place, wanted in (0, lines[0]), (100, lines[1]):
-            os2 = instancer.instantiateVariableFont(ttLib.TTFont(self.path('v.ttf')), {'MRPH': place})['OS/2']
+            os2 = instancer.instantiateVariableFont(ttLib.TTFont(self.path('v.ttf')), {'MORF': place})['OS/2']
             self.assertEqual((os2.sTypoAscender, os2.sTypoDescender, os2.sTypoLineGap), wanted)
             self.assertEqual(os2.sxHeight, ends[place // 100]['OS/2'].sxHeight)
 

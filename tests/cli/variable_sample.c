@@ -1,6 +1,6 @@
 /* For test_variable.py. Code points come on stdin, hexadecimal, and a line for each goes out.
  *
- *     variable-sample compare|apart ENGINE VARIABLE MRPH FONT
+ *     variable-sample compare|apart ENGINE VARIABLE MORF FONT
  *
  * The area of the intersection of a glyph in a variable font at a place of its axis and the glyph in another font, over that
  * of their union; by how many units of the other font the advance is longer in the first; with apart, how far, in 1/1000 em, the border
@@ -8,7 +8,7 @@
  * coordinates; harfbuzz, whose points are rounded to the variable font's units, as they are in the other font; none, for a
  * font that is there already.
  *
- *     variable-sample pixels VARIABLE MRPH SIZE [FONT]
+ *     variable-sample pixels VARIABLE MORF SIZE [FONT]
  *
  * A glyph drawn by FreeType as it is in the variable font, beside that of the other font or, without one, beside the union of its own
  * contours: by how much, 0 … 255, any pixel of the first is darker, or lighter, than that of the second; then the same of those
@@ -100,7 +100,7 @@ static hb_font_t *open_hb(const char *path, double place) {
     assert_non_null(blob);
     hb_face_t *face = hb_face_create(blob, 0);
     hb_font_t *font = hb_font_create(face);
-    hb_variation_t setting = {HB_TAG('M', 'R', 'P', 'H'), (float)place};
+    hb_variation_t setting = {HB_TAG('M', 'O', 'R', 'F'), (float)place};
     hb_font_set_variations(font, &setting, 1);
     hb_face_destroy(face);
     hb_blob_destroy(blob);
@@ -182,7 +182,7 @@ static mt_font *open_font(const char *spec) {
 
 static mt_font *open_at(const char *path, const char *place) {
     char spec[4096];
-    snprintf(spec, sizeof spec, "%s@MRPH=%s", path, place);
+    snprintf(spec, sizeof spec, "%s@MORF=%s", path, place);
     return open_font(spec);
 }
 

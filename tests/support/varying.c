@@ -17,7 +17,7 @@ mt_bytes mt_test_fvar(mt_arena *arena) {
     mt_table_16(&table, AXIS_SIZE);
     mt_table_16(&table, 0);
     mt_table_16(&table, INSTANCE_SIZE);
-    mt_table_32(&table, MT_TAG('M', 'R', 'P', 'H'));
+    mt_table_32(&table, MT_TAG('M', 'O', 'R', 'F'));
     mt_table_fixed(&table, 0);
     mt_table_fixed(&table, 0);
     mt_table_fixed(&table, 100);

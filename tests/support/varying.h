@@ -6,7 +6,7 @@
 #include "base/memory.h"
 #include "source/font.h"
 
-/* An 'fvar' of the one axis MRPH, 0 … 100, by default 0. */
+/* An 'fvar' of the one axis MORF, 0 … 100, by default 0. */
 mt_bytes mt_test_fvar(mt_arena *arena);
 
 /* A 'gvar' of that axis by which no outline varies; FreeType wants one. */

@@ -258,7 +258,7 @@ static char *warnings(const mt_font_data *a, const mt_font_data *b, const char *
     char *lines = mt_arena_new(&arena, 8192, 1);
     assert_non_null(lines);
     mt_font *in_a = open_as("a.ttf", a), *in_b = open_as("b.ttf", b);
-    mt_assert_ok(mt_review(in_a, in_b, family, collect, lines));
+    mt_assert_ok(mt_review((mt_font *[]){in_a, in_b}, 2, family, collect, lines));
     mt_font_close(in_a);
     mt_font_close(in_b);
     return lines;

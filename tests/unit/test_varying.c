@@ -190,7 +190,7 @@ static void freetype_reads_them_too(void **state) {
     for (int percent = 0; percent <= 100; percent += 25) {
         char spec[400];
         mt_font *opened;
-        snprintf(spec, sizeof spec, "%s@MRPH=%d", path, percent);
+        snprintf(spec, sizeof spec, "%s@MORF=%d", path, percent);
         mt_assert_ok(mt_font_open(spec, &opened));
         for (uint32_t i = 0; i < GLYPHS; i++) {
             double advance;

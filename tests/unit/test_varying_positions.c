@@ -34,13 +34,13 @@ static int tear_down(void **state) {
 
 /* ---- fonts along an axis ------------------------------------------------------------------------------- */
 
-typedef struct mt_axis {
+typedef struct mt_varied {
     int count, units;
     mt_font *fonts[FONTS_MAX];
     mt_charset charsets[FONTS_MAX - 1];
     mt_positions *positions;
     mt_bytes gdef; /* classes alone */
-} mt_axis;
+} mt_varied;
 
 static mt_font *open_font(const char *path, const char *spec) {
     mt_font *font;
@@ -62,7 +62,7 @@ static mt_charset charset_with(const mt_charset *first, const mt_font *font) {
 }
 
 /* GDEF's classes as the first font has them. */
-static mt_bytes classes_of(const mt_axis *axis, const char *path) {
+static mt_bytes classes_of(const mt_varied *axis, const char *path) {
     int count = axis->charsets[0].glyph_count;
     uint16_t *classes = mt_arena_new(&arena, (size_t)count, sizeof *classes);
     hb_blob_t *blob = hb_blob_create_from_file_or_fail(path);
@@ -75,8 +75,8 @@ static mt_bytes classes_of(const mt_axis *axis, const char *path) {
 }
 
 /* Each spec is a path, with a place on its axes where there is an '@'. */
-static mt_axis axis_of(const char *const *specs, int count) {
-    mt_axis axis = {.count = count};
+static mt_varied axis_of(const char *const *specs, int count) {
+    mt_varied axis = {.count = count};
     char path[200];
     for (int k = count - 1; k >= 0; k--) {
         snprintf(path, sizeof path, "%.*s", (int)strcspn(specs[k], "@"), specs[k]);
@@ -91,11 +91,11 @@ static mt_axis axis_of(const char *const *specs, int count) {
     return axis;
 }
 
-static void close_axis(mt_axis *axis) {
+static void close_axis(mt_varied *axis) {
     for (int k = 0; k < axis->count; k++) mt_font_close(axis->fonts[k]);
 }
 
-static hb_font_t *font_of(const mt_axis *axis, mt_bytes gpos, mt_bytes gdef, mt_test_varying varying) {
+static hb_font_t *font_of(const mt_varied *axis, mt_bytes gpos, mt_bytes gdef, mt_test_varying varying) {
     int count = axis->charsets[0].glyph_count;
     uint16_t *advances = mt_arena_new(&arena, (size_t)count, sizeof *advances);
     for (int i = 0; i < count; i++) advances[i] = ADVANCE;
@@ -104,7 +104,7 @@ static hb_font_t *font_of(const mt_axis *axis, mt_bytes gpos, mt_bytes gdef, mt_
     return mt_shaping_font(font.bytes, font.length);
 }
 
-static hb_font_t *varying_font(const mt_axis *axis, size_t *size) {
+static hb_font_t *varying_font(const mt_varied *axis, size_t *size) {
     mt_bytes gpos, gdef;
     mt_assert_ok(mt_positions_write_varying(axis->positions, axis->gdef, &arena, &gpos, &gdef));
     *size = gpos.length + gdef.length - axis->gdef.length;
@@ -112,7 +112,7 @@ static hb_font_t *varying_font(const mt_axis *axis, size_t *size) {
 }
 
 /* The font at t, where 1 is the second font and so on; between the first two it is their blend. */
-static hb_font_t *static_font(const mt_axis *axis, double t, size_t *size) {
+static hb_font_t *static_font(const mt_varied *axis, double t, size_t *size) {
     mt_bytes gpos;
     mt_positions *positions = axis->positions;
     if (t < 1)
@@ -186,7 +186,7 @@ static void compare_texts(hb_font_t *varying, hb_font_t *still, mt_tally *tally)
  * are glyphs before it. At the stops both are the same. Some texts at least have to be kerned, and glyphs lifted. */
 static void check(const char *const *specs, int count, int least_kerned, int least_lifted) {
     static const double places[] = {0, 0.1, 0.25, 0.5, 0.75, 1, 2};
-    mt_axis axis = axis_of(specs, count);
+    mt_varied axis = axis_of(specs, count);
     size_t size, static_size, most = 0;
     hb_font_t *varying = varying_font(&axis, &size);
     for (int i = 0; i < 5 + count - 1; i++) {
@@ -231,10 +231,10 @@ static void three_fonts(void **state) {
 static void each_stop_is_as_with_the_first_alone(void **state) {
     (void)state;
     const char *specs[] = {SANS, INTER "@wght=300", MT_TEST_SERIF};
-    mt_axis three = axis_of(specs, 3);
+    mt_varied three = axis_of(specs, 3);
     for (int k = 1; k < 3; k++) {
         mt_tally tally = {0};
-        mt_axis two = three;
+        mt_varied two = three;
         size_t size;
         mt_font *fonts[] = {three.fonts[0], three.fonts[k]};
         two.count = 2;

@@ -48,7 +48,7 @@ function fillColophon() {
   const size = `${Math.ceil(data.bytes / 1000).toLocaleString('en')} kB`;
   const lines = [
     `${data.family} was made by ${data.program} from ${files.join(', ')} and ${end}, by the method “${data.method}”.`,
-    `It is one variable font, ${size} as WOFF2, with ${counted(characters.size, 'character')} and the axis MRPH from 0`,
+    `It is one variable font, ${size} as WOFF2, with ${counted(characters.size, 'character')} and the axis MORF from 0`,
     `(${nameOf(first)}) to 100 (${nameOf(last)}).`,
   ];
   if (flagged.size) lines.push(`${counted(flagged.size, 'character')} flagged by its report: marked above.`);

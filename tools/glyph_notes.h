@@ -1,0 +1,31 @@
+/* Glyphs that are to be told about when the fonts are made: collected as they come, told by kinds, a line each. */
+#ifndef GLYPH_NOTES_H
+#define GLYPH_NOTES_H
+
+#include "options.h"
+
+typedef struct glyph_note {
+    uint32_t code_point, glyph; /* as mt_glyph_note */
+    bool is_form;
+    char *name; /* NULL: none */
+    int font;
+    mt_status why;
+} glyph_note;
+
+typedef struct glyph_notes {
+    glyph_note *list;
+    int count, room;
+    bool lost; /* there was no memory to note one */
+} glyph_notes; /* all zero is empty */
+
+/* An mt_glyph_noted; the user data is a glyph_notes. Threads report in any order. */
+void glyph_notes_add(const mt_glyph_note *note, void *user);
+void glyph_notes_free(glyph_notes *notes);
+
+/* Says of the glyphs, sorted, why each could not be blended: those of one reason and one font in one line, with the first few
+ * of them, or with --verbose each in a line. */
+void glyph_notes_say_failures(glyph_notes *notes, const cli_options *options);
+/* Says which glyphs stay as they are in the first font because another one has none for them. */
+void glyph_notes_say_unblended(glyph_notes *notes, const cli_options *options);
+
+#endif
