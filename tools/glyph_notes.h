@@ -1,6 +1,5 @@
 /* Glyphs that are to be told about when the fonts are made: collected as they come, told by kinds, a line each. */
-#ifndef GLYPH_NOTES_H
-#define GLYPH_NOTES_H
+#pragma once
 
 #include "options.h"
 
@@ -27,5 +26,3 @@ void glyph_notes_free(glyph_notes *notes);
 void glyph_notes_say_failures(glyph_notes *notes, const cli_options *options);
 /* Says which glyphs stay as they are in the first font because another one has none for them. */
 void glyph_notes_say_unblended(glyph_notes *notes, const cli_options *options);
-
-#endif

@@ -127,11 +127,7 @@ static void add_tables(const mt_font *font, const char *tags, mt_notice *line) {
 }
 
 /* A line for each kind of table that a blend has none of. */
-<<<<<<< HEAD
 static void review_tables(const mt_reviewer *reviewer, mt_font *const *fonts, int count) {
-=======
-static void review_tables(const mt_reviewer *reviewer, const mt_font *a, const mt_font *b) {
->>>>>>> posi3
     static const struct {
         const char *what, *tags;
     } kinds[] = {
@@ -141,12 +137,7 @@ static void review_tables(const mt_reviewer *reviewer, const mt_font *a, const m
     };
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
         mt_notice tables = {0}, line = {0};
-<<<<<<< HEAD
         for (int k = 0; k < count; k++) add_tables(fonts[k], kinds[i].tags, &tables);
-=======
-        add_tables(a, kinds[i].tags, &tables);
-        add_tables(b, kinds[i].tags, &tables);
->>>>>>> posi3
         add(&line, "%s left out: %s", kinds[i].what, tables.text);
         if (tables.length > 0) say(reviewer, &line);
     }

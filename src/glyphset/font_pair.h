@@ -4,23 +4,6 @@
 #include "glyphset/match.h"
 #include "source/variation_sequences.h"
 
-/* What is asked of a new font's glyph set. */
-typedef struct mt_charset_request {
-    const uint32_t *wanted; /* only these code points, in any order, and their forms */
-    int count;              /* 0: all */
-    mt_glyph_set set;
-} mt_charset_request;
-
-/* A character and its glyph in each font; 0 where a font has none. */
-typedef struct mt_code {
-    uint32_t code_point, a, b;
-} mt_code;
-
-typedef struct mt_codes {
-    int count;
-    mt_code *list; /* ascending */
-} mt_codes;
-
 /* A sequence of a character that is taken in. */
 typedef struct mt_sequence {
     const mt_variation_sequence *a, *b; /* b is NULL where B has none */
@@ -38,9 +21,9 @@ typedef struct mt_font_pair {
     bool *kept; /* of each of A's glyphs: it is in the new font, as far as these two fonts are concerned */
 } mt_font_pair;
 
-/* Pairs the glyphs of both fonts by characters, by variation sequences, by names and by the features that lead to them
- * (match.h). Of limited characters it keeps their glyphs and those that A's substitutions make of them. MT_NOTHING_SHARED,
- * MT_NO_MEMORY. */
+/* Pairs the glyphs of both fonts by characters, by variation sequences, by texts, by names and by the features that lead to them
+ * (match.h). Keeps the pairs, or of limited characters their glyphs, and all that A's substitutions make of what is kept.
+ * MT_NOTHING_SHARED, MT_NO_MEMORY. */
 mt_status mt_font_pair_make(mt_font *a, mt_font *b, const mt_charset_request *request, mt_arena *arena,
                             mt_font_pair *pair);
 

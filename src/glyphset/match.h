@@ -2,6 +2,9 @@
 #pragma once
 
 #include "base/memory.h"
+#include "glyphset/codes.h"
+#include "glyphset/shaper.h"
+#include "glyphset/votes.h"
 #include "gsub/gsub.h"
 #include "source/font.h"
 
@@ -9,18 +12,40 @@
 #define MT_NO_PARTNER UINT32_MAX
 
 typedef struct mt_glyph_match {
+    mt_font *a, *b;
     int count_a, count_b;
     uint32_t *partner; /* of each of A's glyphs: B's glyph or MT_NO_PARTNER */
     uint32_t *
         origin; /* of each of A's glyphs: the character that leads here, or whose form it is; 0: none known */
-    bool *taken; /* for each of B's glyphs: it is a partner */
+    bool *taken;            /* for each of B's glyphs: it is a partner */
+    uint8_t *ink_a, *ink_b; /* whether glyphs are blank, where that has been looked at (match.c) */
+    mt_status status;       /* MT_NO_MEMORY once there was none for that */
 } mt_glyph_match;
 
 /* No glyph has a partner but .notdef. MT_NO_MEMORY. */
-mt_status mt_glyph_match_new(const mt_font *a, const mt_font *b, mt_arena *arena, mt_glyph_match *match);
+mt_status mt_glyph_match_new(mt_font *a, mt_font *b, mt_arena *arena, mt_glyph_match *match);
 
 /* Pairs two glyphs unless A's has a partner; whether it had none. */
 bool mt_match_pair(mt_glyph_match *match, uint32_t a, uint32_t b, uint32_t origin);
+
+/* The same for two glyphs that no character leads to: a blank glyph is not paired with one that has ink. */
+bool mt_match_form(mt_glyph_match *match, uint32_t a, uint32_t b, uint32_t origin);
+
+/* match_text.c: what both fonts' own shaping makes of the same texts. */
+typedef struct mt_text_pairs {
+    bool found; /* there is a GSUB: otherwise shaping tells nothing */
+    mt_shaper a, b;
+    mt_votes votes;
+} mt_text_pairs;
+
+/* Shapes texts of the characters, which both fonts have, in ascending order. MT_NO_MEMORY. */
+mt_status mt_text_pairs_find(mt_text_pairs *pairs, const mt_glyph_match *match, const mt_gsub *gsub_a,
+                             const mt_gsub *gsub_b, const uint32_t *chars, int count, mt_arena *arena);
+/* Where a character by itself leads to A's own glyph for it, and in B to another than B's own, that takes its place. */
+void mt_text_pairs_settle(mt_text_pairs *pairs, mt_code *codes, int count);
+/* Pairs each glyph of A's with that of B's that most texts lead to. */
+void mt_text_pairs_apply(const mt_text_pairs *pairs, mt_glyph_match *match);
+void mt_text_pairs_close(mt_text_pairs *pairs);
 
 /* match_names.c: pairs glyphs of the same name, of those that are in no pair yet. Names that only tell a number do not
  * count. MT_NO_MEMORY. */
@@ -30,7 +55,6 @@ mt_status mt_match_names(mt_glyph_match *match, mt_font *a, mt_font *b, mt_arena
  * from there: for the same script and language where both fonts have them, then for any. MT_NO_MEMORY. */
 mt_status mt_match_forms(mt_glyph_match *match, const mt_gsub *a, const mt_gsub *b, mt_arena *arena);
 
-/* match_reach.c: adds to the glyphs that are `kept` (one for each of A's) what A's features make of them: those that have
- * a partner, or with `all` any. What stands around a glyph in the text is not looked at. MT_NO_MEMORY. */
-mt_status mt_match_reach(const mt_glyph_match *match, const mt_gsub *gsub, bool all, mt_arena *arena,
-                         bool *kept);
+/* match_reach.c: adds to the glyphs that are `kept` (one for each of A's) what A's features make of them, all but 'aalt', which
+ * only lists alternates. MT_NO_MEMORY. */
+mt_status mt_match_reach(const mt_gsub *gsub, bool *kept);

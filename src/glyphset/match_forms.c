@@ -73,17 +73,13 @@ static int find_inputs(const mt_sorted_lookup *sorted, const uint16_t *inputs, i
 
 /* ---- pairing ------------------------------------------------------------------------------------------- */
 
-static bool is_one_of(int type) {
-    return type == MT_GSUB_SINGLE || type == MT_GSUB_ALTERNATE || type == MT_GSUB_REVERSE;
+/* How many glyphs the feature makes of the inputs; of a list of alternates it takes the first. */
+static int outputs_of(int type, const mt_substitution *substitution) {
+    return type == MT_GSUB_ALTERNATE ? 1 : substitution->outputs;
 }
 
-static bool alike(int type_a, const mt_substitution *a, int type_b, const mt_substitution *b) {
-    if (is_one_of(type_a)) return is_one_of(type_b);
-    return type_a == type_b && a->outputs == b->outputs;
-}
-
-static bool has_free(const mt_glyph_match *match, const mt_substitution *a) {
-    for (int i = 0; i < a->outputs; i++)
+static bool has_free(const mt_glyph_match *match, int type, const mt_substitution *a) {
+    for (int i = 0; i < outputs_of(type, a); i++)
         if (match->partner[a->glyphs[a->inputs + i]] == MT_NO_PARTNER) return true;
     return false;
 }
@@ -98,14 +94,14 @@ static bool translate(const mt_glyph_match *match, const mt_substitution *a, uin
     return true;
 }
 
-/* Output by output; with `free_only`, with glyphs of B's that are no partners yet. */
-static bool pair_outputs(mt_glyph_match *match, const mt_substitution *a, const mt_substitution *b,
+/* The first `count` outputs; with `free_only`, with glyphs of B's that are no partners yet. */
+static bool pair_outputs(mt_glyph_match *match, const mt_substitution *a, const mt_substitution *b, int count,
                          bool free_only) {
     bool paired = false;
-    for (int i = 0; i < a->outputs && i < b->outputs; i++) {
+    for (int i = 0; i < count; i++) {
         uint32_t in_b = b->glyphs[b->inputs + i];
         if (in_b == 0 || (free_only && match->taken[in_b])) continue;
-        paired |= mt_match_pair(match, a->glyphs[a->inputs + i], in_b, match->origin[a->glyphs[0]]);
+        paired |= mt_match_form(match, a->glyphs[a->inputs + i], in_b, match->origin[a->glyphs[0]]);
     }
     return paired;
 }
@@ -114,13 +110,13 @@ static bool pair_outputs(mt_glyph_match *match, const mt_substitution *a, const 
 static bool pair_in_lookup(mt_forms *forms, int type, const mt_substitution *a, const uint16_t *inputs,
                            int lookup, bool free_only) {
     const mt_sorted_lookup *sorted = &forms->sorted[lookup];
+    const int type_b = forms->b->lookups[lookup].type, count = outputs_of(type, a);
     bool paired = false;
     forms->left -= 16;
     for (int i = find_inputs(sorted, inputs, a->inputs); i < sorted->count; i++) {
         const mt_substitution *b = sorted->list[i].substitution;
         if (compare_inputs(b->glyphs, b->inputs, inputs, a->inputs) != 0 || forms->left-- < 0) break;
-        if (alike(type, a, forms->b->lookups[lookup].type, b))
-            paired |= pair_outputs(forms->match, a, b, free_only);
+        if (outputs_of(type_b, b) == count) paired |= pair_outputs(forms->match, a, b, count, free_only);
     }
     return paired;
 }
@@ -129,7 +125,7 @@ static bool pair_substitution(mt_forms *forms, const mt_group *group, int type, 
     uint16_t inputs[INPUTS_MAX];
     bool paired = false;
     forms->left--;
-    if (a->inputs > INPUTS_MAX || !has_free(forms->match, a) || !translate(forms->match, a, inputs))
+    if (a->inputs > INPUTS_MAX || !has_free(forms->match, type, a) || !translate(forms->match, a, inputs))
         return false;
     forms->left -= forms->b->layout.lookup_count;
     for (int pass = 0; pass < 2; pass++)

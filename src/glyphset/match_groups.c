@@ -43,7 +43,7 @@ static mt_status add_group(mt_grouping *this, uint32_t tag, const mt_system *in_
     mt_arena_place before = mt_arena_mark(this->arena);
     size_t count_a = (size_t)this->a->layout.lookup_count, count_b = (size_t)this->b->layout.lookup_count;
     mt_group group = {.stage = in_a ? MT_GROUP_EXACT : MT_GROUP_ANY};
-    if (tag == MT_TAG('a', 'a', 'l', 't')) group.stage = MT_GROUP_ALL_ALTERNATES;
+    if (tag == MT_TAG('a', 'a', 'l', 't')) return MT_OK;
     this->left -= MARKING + (int64_t)(count_a + count_b) * (this->made.count + 16) / 16;
     if (this->made.count == GROUPS_MAX || this->left < 0) return MT_OK;
     group.a = mt_arena_new(this->arena, count_a, sizeof *group.a);

@@ -4,9 +4,9 @@
 #include "base/memory.h"
 #include "gsub/gsub.h"
 
-/* In this order: a feature of a script and language that both fonts have; a feature wherever it is; and 'aalt', which
+/* In this order: a feature of a script and language that both fonts have; a feature wherever it is. 'aalt' is in no group: it
  * numbers what the other features lead to, in each font in its own way. */
-enum { MT_GROUP_EXACT, MT_GROUP_ANY, MT_GROUP_ALL_ALTERNATES, MT_GROUP_STAGES };
+enum { MT_GROUP_EXACT, MT_GROUP_ANY, MT_GROUP_STAGES };
 
 typedef struct mt_group {
     int stage;

@@ -48,7 +48,7 @@ mt_status mt_match_names(mt_glyph_match *match, mt_font *a, mt_font *b, mt_arena
     int count = list_free(match, names_b, list);
     for (int i = 0; i < match->count_a; i++) {
         const mt_named *found = names_a[i] ? find(list, count, names_a[i]) : NULL;
-        if (found && !match->taken[found->glyph]) mt_match_pair(match, (uint32_t)i, found->glyph, 0);
+        if (found && !match->taken[found->glyph]) mt_match_form(match, (uint32_t)i, found->glyph, 0);
     }
     return MT_OK;
 }

@@ -1,47 +1,40 @@
 #include "glyphset/match.h"
 
-#include "geometry/limits.h"
+#include <hb-ot.h>
 
-typedef struct mt_reach {
-    const mt_glyph_match *match;
-    bool all; /* of A's glyphs; otherwise those with a partner */
-    bool *kept;
-} mt_reach;
+#include "gsub/face.h"
 
-/* Whether it makes a new glyph of those that are kept. */
-static bool follow(const mt_reach *reach, const mt_substitution *substitution) {
-    const uint16_t *outputs = substitution->glyphs + substitution->inputs;
-    bool found = false;
-    for (int i = 0; i < substitution->inputs; i++)
-        if (!reach->kept[substitution->glyphs[i]]) return false;
-    for (int i = 0; i < substitution->outputs; i++) {
-        bool is_in = reach->all || reach->match->partner[outputs[i]] != MT_NO_PARTNER;
-        found |= is_in && !reach->kept[outputs[i]];
-        reach->kept[outputs[i]] |= is_in;
+/* The lookups that features apply; those that contexts call are followed by HarfBuzz. */
+static void list_lookups(const mt_gsub *gsub, hb_set_t *lookups) {
+    for (int i = 0; i < gsub->layout.feature_count; i++) {
+        if (mt_feature_tag(&gsub->layout, i) == MT_TAG('a', 'a', 'l', 't')) continue;
+        for (int k = 0; k < mt_feature_lookup_count(&gsub->layout, i); k++) {
+            int lookup = mt_feature_lookup(&gsub->layout, i, k);
+            if (lookup >= 0) hb_set_add(lookups, (hb_codepoint_t)lookup);
+        }
     }
-    return found;
 }
 
-static bool follow_lookup(const mt_reach *reach, const mt_gsub_lookup *lookup, int64_t *left) {
-    bool found = false;
-    for (int i = 0; i < lookup->subtable_count && *left >= 0; i++, --*left)
-        for (int k = 0; k < lookup->subtables[i].count && *left >= 0; k++, --*left)
-            found |= follow(reach, &lookup->subtables[i].list[k]);
-    return found;
+static mt_status close_over(hb_face_t *face, const mt_gsub *gsub, bool *kept) {
+    hb_set_t *lookups = hb_set_create(), *glyphs = hb_set_create();
+    list_lookups(gsub, lookups);
+    for (int i = 0; i < gsub->glyph_count; i++)
+        if (kept[i]) hb_set_add(glyphs, (hb_codepoint_t)i);
+    hb_ot_layout_lookups_substitute_closure(face, lookups, glyphs);
+    bool whole = hb_set_allocation_successful(lookups) && hb_set_allocation_successful(glyphs);
+    for (hb_codepoint_t glyph = HB_SET_VALUE_INVALID; whole && hb_set_next(glyphs, &glyph);)
+        if (glyph < (hb_codepoint_t)gsub->glyph_count) kept[glyph] = true;
+    hb_set_destroy(lookups);
+    hb_set_destroy(glyphs);
+    return whole ? MT_OK : MT_NO_MEMORY;
 }
 
-mt_status mt_match_reach(const mt_glyph_match *match, const mt_gsub *gsub, bool all, mt_arena *arena,
-                         bool *kept) {
-    const mt_reach reach = {match, all, kept};
-    int64_t left = MT_COMPARISONS_MAX;
-    bool *applied = mt_arena_new(arena, (size_t)gsub->layout.lookup_count + 1, sizeof *applied);
-    if (!applied) return MT_NO_MEMORY;
-    for (int i = 0; i < gsub->layout.feature_count; i++) mt_gsub_mark(gsub, i, applied);
-    for (bool more = true; more && left >= 0;) {
-        more = false;
-        left -= gsub->layout.lookup_count;
-        for (int i = 0; i < gsub->layout.lookup_count; i++)
-            if (applied[i]) more |= follow_lookup(&reach, &gsub->lookups[i], &left);
-    }
-    return MT_OK;
+mt_status mt_match_reach(const mt_gsub *gsub, bool *kept) {
+    mt_face_tables tables = {.gsub = gsub->table, .glyph_count = gsub->glyph_count};
+    if (gsub->layout.lookup_count == 0) return MT_OK;
+    hb_face_t *face = mt_face_make(&tables);
+    if (!face) return MT_NO_MEMORY;
+    mt_status status = close_over(face, gsub, kept);
+    hb_face_destroy(face);
+    return status;
 }

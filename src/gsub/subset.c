@@ -3,6 +3,7 @@
 #include <hb-subset.h>
 #include <string.h>
 
+#include "gsub/face.h"
 #include "layout/lookup_builder.h"
 #include "sfnt/sfnt.h"
 
@@ -20,28 +21,6 @@ static mt_status plain_gdef(mt_bytes gdef, mt_arena *arena, mt_bytes *plain) {
     memset(bytes + 6, 0, 4);
     *plain = (mt_bytes){bytes, gdef.length};
     return MT_OK;
-}
-
-static bool add_table(hb_face_t *face, uint32_t tag, mt_bytes table) {
-    if (table.length == 0) return true;
-    hb_blob_t *blob = hb_blob_create_or_fail((const char *)table.bytes, (unsigned)table.length,
-                                             HB_MEMORY_MODE_READONLY, NULL, NULL);
-    bool added = blob && hb_face_builder_add_table(face, tag, blob);
-    hb_blob_destroy(blob);
-    return added;
-}
-
-/* A face of these two tables and a 'maxp' (version 0.5) that tells how many glyphs there are; NULL without memory. */
-static hb_face_t *make_face(mt_bytes gsub, mt_bytes gdef, int glyph_count, uint8_t maxp[6]) {
-    const uint8_t header[6] = {0, 0, 0x50, 0, (uint8_t)(glyph_count >> 8), (uint8_t)glyph_count};
-    hb_face_t *face = hb_face_builder_create();
-    memcpy(maxp, header, sizeof header);
-    bool made = add_table(face, MT_TAG('m', 'a', 'x', 'p'), (mt_bytes){maxp, sizeof header}) &&
-                add_table(face, MT_TAG('G', 'S', 'U', 'B'), gsub) &&
-                add_table(face, MT_TAG('G', 'D', 'E', 'F'), gdef);
-    if (made) return face;
-    hb_face_destroy(face);
-    return NULL;
 }
 
 /* ---- what comes out ------------------------------------------------------------------------------------ */
@@ -115,10 +94,10 @@ static mt_status cut_gsub(const mt_font *font, const uint16_t *kept, int count, 
 
 static mt_status prune(int glyph_count, mt_bytes gsub, mt_bytes gdef, const uint16_t *kept, int count,
                        mt_arena *arena, mt_layout_tables *tables, bool *held) {
-    uint8_t maxp[6];
+    mt_face_tables with = {.gsub = gsub, .gdef = gdef, .glyph_count = glyph_count};
     *held = true;
     if (!gsub.length && !gdef.length) return MT_OK;
-    hb_face_t *face = make_face(gsub, gdef, glyph_count, maxp);
+    hb_face_t *face = mt_face_make(&with);
     if (!face) return MT_NO_MEMORY;
     mt_status status = prune_face(face, kept, count, arena, tables, held);
     hb_face_destroy(face);

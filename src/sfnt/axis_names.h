@@ -1,7 +1,6 @@
 /* What an axis and the places on it are called. The registered axes have the names that applications look for (OpenType
  * spec, "Registered design-variation axis tags"); any other goes by its tag or, for a few well-known ones, a word. */
-#ifndef MT_SFNT_AXIS_NAMES_H
-#define MT_SFNT_AXIS_NAMES_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -19,5 +18,3 @@ mt_status mt_axis_name_places(const double *values, int count, mt_arena *arena, 
 
 /* The name of a value, in the arena; NULL when memory ran out. */
 const char *mt_axis_place_name(const mt_axis *axis, double value, mt_arena *arena);
-
-#endif

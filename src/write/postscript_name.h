@@ -3,8 +3,7 @@
  * Blanks and what PostScript keeps for itself are left out. Letters with accents lose them, and letters of Latin, Greek and
  * Cyrillic that ASCII has not are written with those it has: é as e, ß as ss, ж as zh. Any other character beyond ASCII is u
  * and its hexadecimal code point, so that names in any script stay apart. */
-#ifndef MT_WRITE_POSTSCRIPT_NAME_H
-#define MT_WRITE_POSTSCRIPT_NAME_H
+#pragma once
 
 enum { MT_POSTSCRIPT_NAME_ROOM = 64 };
 
@@ -16,5 +15,3 @@ void mt_postscript_prefix(const char *family, char name[MT_POSTSCRIPT_NAME_ROOM]
 
 /* PREFIX-PLACE: of a named place of a variable font. */
 void mt_postscript_place_name(const char *family, const char *place, char name[MT_POSTSCRIPT_NAME_ROOM]);
-
-#endif

@@ -3,8 +3,7 @@
  * A family of these has four styles: Regular, Bold, Italic and Bold Italic. The last words of a style that are one of these
  * link it; what stands before them makes a family of its own, FAMILY SEMIBOLD with Regular and Italic (OpenType spec, "name":
  * name IDs 1, 2, 16 and 17). */
-#ifndef MT_WRITE_STYLE_H
-#define MT_WRITE_STYLE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -21,5 +20,3 @@ typedef struct mt_style {
  * before the word that they belong to. A style that has no word of a weight, but one of a width or slope, is of weight
  * 400. */
 mt_style mt_style_read(const char *name);
-
-#endif

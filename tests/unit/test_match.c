@@ -99,9 +99,9 @@ static void by_features(void **state) {
                                           {"ss01", NULL, 3, "6 29"}};
     pair fonts = {open_font("a.ttf", "abcdef", in_a, 5, NULL), open_font("b.ttf", "fedcba", in_b, 5, NULL)};
     mt_charset charset = make(fonts, "abc", MT_GLYPHS_BOTH);
-    static const int wanted[][2] = {{1, 6},   {2, 5},   {3, 4},   {11, 21}, {13, 23},
-                                    {14, 25}, {15, 27}, {16, 28}, {17, 29}};
-    assert_pairs(&charset, wanted, 9);
+    static const int wanted[][2] = {{1, 6},   {2, 5},   {3, 4},   {11, 21}, {12, -1}, {13, 23},
+                                    {14, 25}, {15, 27}, {16, 28}, {17, 29}, {18, -1}};
+    assert_pairs(&charset, wanted, 11);
     assert_int_equal(charset.glyphs[4].code_point, 'a'); /* a form of it */
     assert_false(charset.glyphs[4].mapped);
 }
@@ -117,15 +117,47 @@ static void by_languages(void **state) {
     assert_pairs(&charset, wanted, 3);
 }
 
-/* Through a context, and only in another script's system. */
+/* Through a context, and in systems of different languages. */
 static void by_contexts(void **state) {
     (void)state;
-    static const mt_test_lookup in_a[] = {{"calt", NULL, 6, "1 2 3 1"}, {"    ", NULL, 1, "2 11"}};
+    static const mt_test_lookup in_a[] = {{"calt", "ROM ", 6, "1 2 3 1"}, {"    ", NULL, 1, "2 11"}};
     static const mt_test_lookup in_b[] = {{"    ", "TRK ", 1, "5 21"}, {"calt", "TRK ", 6, "4 5 6 0"}};
     pair fonts = {open_font("a.ttf", "abcdef", in_a, 2, NULL), open_font("b.ttf", "fedcba", in_b, 2, NULL)};
-    mt_charset charset = make(fonts, "b", MT_GLYPHS_BOTH);
-    static const int wanted[][2] = {{2, 5}, {11, 21}};
-    assert_pairs(&charset, wanted, 2);
+    mt_charset charset = make(fonts, "abc", MT_GLYPHS_BOTH);
+    static const int wanted[][2] = {{1, 6}, {2, 5}, {3, 4}, {11, 21}};
+    assert_pairs(&charset, wanted, 4);
+}
+
+/* The same text leads to glyphs that one font makes by 'ccmp' in one step and the other in two, by other features and other
+ * types of lookups; and to a character's own glyph in A where B replaces it. */
+static void by_texts(void **state) {
+    (void)state;
+    static const mt_test_lookup in_a[] = {
+        {"liga", NULL, 4, "1 2 11"}, {"calt", NULL, 6, "3 4 5 2"}, {"    ", NULL, 2, "4 12 13"}};
+    static const mt_test_lookup in_b[] = {{"ccmp", NULL, 2, "6 21 22"},
+                                          {"rlig", NULL, 4, "21 22 5 23"},
+                                          {"calt", NULL, 6, "4 3 2 4"},
+                                          {"rclt", NULL, 1, "1 26"},
+                                          {"    ", NULL, 2, "3 24 25"}};
+    pair fonts = {open_font("a.ttf", "abcdef", in_a, 3, NULL), open_font("b.ttf", "fedcba", in_b, 5, NULL)};
+    mt_charset charset = make(fonts, "", MT_GLYPHS_BOTH);
+    static const int wanted[][2] = {{1, 6},  {2, 5},   {3, 4},   {4, 3},  {5, 2},
+                                    {6, 26}, {11, 23}, {12, 24}, {13, 25}};
+    assert_pairs(&charset, wanted, 9);
+    assert_int_equal(charset.unblended_count, 0);
+}
+
+/* 'aalt' numbers its alternates in each font in its own way: they are no pairs, and it alone keeps no glyph. */
+static void not_by_numbers(void **state) {
+    (void)state;
+    static const mt_test_lookup in_a[] = {
+        {"aalt", NULL, 3, "1 11 12"}, {"aalt", NULL, 1, "2 13"}, {"salt", NULL, 3, "3 14 15"}};
+    static const mt_test_lookup in_b[] = {
+        {"aalt", NULL, 3, "6 21 22"}, {"aalt", NULL, 1, "5 23"}, {"salt", NULL, 3, "4 24 25"}};
+    pair fonts = {open_font("a.ttf", "abcdef", in_a, 3, NULL), open_font("b.ttf", "fedcba", in_b, 3, NULL)};
+    mt_charset charset = make(fonts, "abc", MT_GLYPHS_BOTH);
+    static const int wanted[][2] = {{1, 6}, {2, 5}, {3, 4}, {14, 24}, {15, -1}};
+    assert_pairs(&charset, wanted, 5);
 }
 
 static const char **name_all(int glyph, const char *name, int other, const char *other_name) {
@@ -323,6 +355,8 @@ int main(void) {
         cmocka_unit_test(by_features),
         cmocka_unit_test(by_languages),
         cmocka_unit_test(by_contexts),
+        cmocka_unit_test(by_texts),
+        cmocka_unit_test(not_by_numbers),
         cmocka_unit_test(by_names),
         cmocka_unit_test(all_of_the_first),
         cmocka_unit_test(wanted_of_the_first),

@@ -1,0 +1,30 @@
+/* The characters of a new font. */
+#pragma once
+
+#include "base/memory.h"
+#include "source/font.h"
+
+/* A character and its glyph in each font; 0 where a font has none. */
+typedef struct mt_code {
+    uint32_t code_point, a, b;
+} mt_code;
+
+typedef struct mt_codes {
+    int count;
+    mt_code *list; /* ascending */
+} mt_codes;
+
+typedef struct mt_charset_request {
+    const uint32_t *wanted; /* only these code points, in any order, and their forms */
+    int count;              /* 0: all */
+    mt_glyph_set set;
+} mt_charset_request;
+
+/* The characters of both fonts, or of A, all or those wanted; and those of A that HarfBuzz takes them apart into, also where B
+ * has them not. Of wanted ones also those of the set that HarfBuzz puts together of two of them. MT_NO_MEMORY. */
+mt_status mt_codes_list(const mt_font *a, const mt_font *b, const mt_charset_request *request,
+                        mt_arena *arena, mt_codes *codes);
+
+void mt_codes_sort(mt_code *list, int count);
+/* NULL for a character that is not in the list. */
+const mt_code *mt_codes_find(const mt_codes *codes, uint32_t code_point);

@@ -1,0 +1,35 @@
+/* A font's own shaping by HarfBuzz: which glyphs a text leads to. */
+#pragma once
+
+#include <hb.h>
+
+#include "base/memory.h"
+#include "gsub/face.h"
+#include "gsub/gsub.h"
+#include "source/font.h"
+
+typedef struct mt_shaper {
+    const mt_font *font;
+    mt_face_tables tables;
+    hb_face_t *face;
+    hb_font_t *hb;
+    hb_buffer_t *buffer;
+    bool has_latin, has_classes;
+} mt_shaper;
+
+/* The glyphs of a shaped text in the order of its characters; they belong to the shaper until it shapes the next one. */
+typedef struct mt_shaped_text {
+    unsigned count;
+    const hb_glyph_info_t *glyphs; /* codepoint: the glyph; cluster: the place of its first character */
+} mt_shaped_text;
+
+/* The shaper refers to itself: it stays where it is. `gsub` and the arena outlive it. MT_NO_MEMORY. */
+mt_status mt_shaper_open(const mt_font *font, const mt_gsub *gsub, mt_arena *arena, mt_shaper *shaper);
+void mt_shaper_close(mt_shaper *shaper); /* all zero is fine */
+
+/* Shapes with the features that are on by default. Signs of no script are shaped as Latin where the font has it. No glyphs
+ * when there is no memory. */
+mt_shaped_text mt_shaper_shape(mt_shaper *shaper, const uint32_t *codes, int count);
+
+/* Whether GDEF has both glyphs as marks or neither, as far as it is known. */
+bool mt_shaper_same_class(const mt_shaper *a, uint32_t in_a, const mt_shaper *b, uint32_t in_b);
