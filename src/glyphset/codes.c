@@ -80,8 +80,10 @@ static mt_status list_all(const mt_font *a, const mt_font *b, mt_glyph_set set, 
 
 /* ---- what goes with it --------------------------------------------------------------------------------- */
 
-/* The two characters that one is taken apart into; the second may be 0. */
+/* The two characters that HarfBuzz takes one apart into and does not put together again: vowels of two parts, whose first is a mark,
+ * and those of its shapers for Thai, Lao and Khmer. The second may be 0. Accented letters stay whole where the font has them. */
 static bool take_apart(uint32_t code, uint32_t parts[2]) {
+    hb_unicode_funcs_t *unicode = hb_unicode_funcs_get_default();
     switch (code) {
     case 0x0E33: return parts[0] = 0x0E4D, parts[1] = 0x0E32, true; /* Thai and Lao am */
     case 0x0EB3: return parts[0] = 0x0ECD, parts[1] = 0x0EB2, true;
@@ -90,8 +92,12 @@ static bool take_apart(uint32_t code, uint32_t parts[2]) {
     case 0x17C0:
     case 0x17C4:
     case 0x17C5: return parts[0] = 0x17C1, parts[1] = code, true;
-    default: return hb_unicode_decompose(hb_unicode_funcs_get_default(), code, &parts[0], &parts[1]);
+    default: break;
     }
+    if (!hb_unicode_decompose(unicode, code, &parts[0], &parts[1])) return false;
+    hb_unicode_general_category_t first = hb_unicode_general_category(unicode, parts[0]);
+    return first == HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK ||
+           first == HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK;
 }
 
 static mt_status append(mt_codes *codes, int *room, mt_code code, mt_arena *arena) {
@@ -148,12 +154,12 @@ mt_status mt_codes_list(const mt_font *a, const mt_font *b, const mt_charset_req
     mt_codes made = {0};
     mt_status status = request->count ? list_wanted(a, b, request, arena, &made)
                                       : list_all(a, b, request->set, arena, &made);
-    if (status == MT_OK && made.count) status = add_parts(a, b, &made, arena);
     for (int i = 0, before = -1; i < ROUNDS && request->count && status == MT_OK && made.count != before;
          i++) {
         before = made.count;
         status = add_wholes(a, b, request->set, &made, arena);
     }
+    if (status == MT_OK && made.count) status = add_parts(a, b, &made, arena);
     if (status == MT_OK) *codes = made;
     return status;
 }

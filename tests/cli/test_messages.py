@@ -58,11 +58,11 @@ class Glyphs(cli.Test):
         return name
 
     def test_form(self):
+        """A blank form goes with no inked one, which stays."""
         a, b = self.font('a.ttf', []), self.font('b.ttf', ['B.alt'])
         number = ttLib.TTFont(self.path(a)).getGlyphID('B.alt')
         self.assertEqual(self.made('blend', a, b, '-o', 'x.ttf'),
-                         [f"morphotype: /B.alt (glyph {number} of a.ttf): not blended, the nearer font's glyph stands in: "
-                          'b.ttf leaves it blank'])
+                         [f'morphotype: 1 glyph that {b} has not stays as in {a}: /B.alt (glyph {number} of {a})'])
 
     def test_font(self):
         a, b = self.font('a.ttf', ['A']), self.font('b.ttf', ['B'])
