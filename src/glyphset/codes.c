@@ -4,7 +4,6 @@
 
 #include <hb.h>
 #include <stdlib.h>
-#include <string.h>
 
 static int ascending(const void *p, const void *q) {
     uint32_t x = ((const mt_code *)p)->code_point, y = ((const mt_code *)q)->code_point;
@@ -101,14 +100,9 @@ static bool take_apart(uint32_t code, uint32_t parts[2]) {
 }
 
 static mt_status append(mt_codes *codes, int *room, mt_code code, mt_arena *arena) {
-    if (codes->count == *room) {
-        int more = 2 * *room + 64;
-        mt_code *list = mt_arena_new(arena, (size_t)more, sizeof *list);
-        if (!list) return MT_NO_MEMORY;
-        if (codes->count) memcpy(list, codes->list, (size_t)codes->count * sizeof *list);
-        codes->list = list;
-        *room = more;
-    }
+    mt_code *list = mt_arena_grow_list(arena, codes->list, codes->count, room, sizeof *list);
+    if (!list) return MT_NO_MEMORY;
+    codes->list = list;
     codes->list[codes->count++] = code;
     return MT_OK;
 }
