@@ -23,10 +23,10 @@ typedef struct mt_finder {
 } mt_finder;
 
 /* A part of the glyph at hand, as the fonts have it that were looked at so far. */
-typedef struct mt_part {
+typedef struct mt_placed_part {
     uint32_t *of;
     int (*at)[2];
-} mt_part;
+} mt_placed_part;
 
 /* ---- the glyph of several others ----------------------------------------------------------------------- */
 
@@ -62,7 +62,8 @@ static int find_glyph(const mt_finder *finder, const uint32_t *of, int font_coun
 /* ---- one glyph ----------------------------------------------------------------------------------------- */
 
 /* How far a part moves from one font to a reference of the next, in em. */
-static double distance(const mt_finder *finder, const mt_part *part, const mt_reference *next, int font) {
+static double distance(const mt_finder *finder, const mt_placed_part *part, const mt_reference *next,
+                       int font) {
     double em_a = mt_font_units(finder->row->fonts[font - 1]), em_b = mt_font_units(finder->row->fonts[font]);
     return hypot(part->at[font - 1][0] / em_a - next->dx / em_b,
                  part->at[font - 1][1] / em_a - next->dy / em_b);
@@ -70,7 +71,8 @@ static double distance(const mt_finder *finder, const mt_part *part, const mt_re
 
 /* Matches a part with the font's reference, not used yet, that makes a glyph with it; the nearest of several, such as the
  * two dots of a dieresis. */
-static bool match(const mt_finder *finder, mt_part *part, const mt_references *own, bool *used, int font) {
+static bool match(const mt_finder *finder, mt_placed_part *part, const mt_references *own, bool *used,
+                  int font) {
     int best = -1;
     for (int k = 0; k < own->count; k++) {
         const mt_reference *r = &own->list[k];
@@ -88,12 +90,12 @@ static bool match(const mt_finder *finder, mt_part *part, const mt_references *o
     return true;
 }
 
-static mt_status start_parts(mt_finder *finder, const mt_references *first, mt_part **parts) {
+static mt_status start_parts(mt_finder *finder, const mt_references *first, mt_placed_part **parts) {
     size_t fonts = (size_t)finder->row->font_count;
     *parts = mt_arena_new(&finder->scratch, (size_t)first->count, sizeof **parts);
     if (!*parts) return MT_NO_MEMORY;
     for (int i = 0; i < first->count; i++) {
-        mt_part *part = &(*parts)[i];
+        mt_placed_part *part = &(*parts)[i];
         part->of = mt_arena_new(&finder->scratch, fonts, sizeof *part->of);
         part->at = mt_arena_new(finder->arena, fonts, sizeof *part->at);
         if (!part->of || !part->at) return MT_NO_MEMORY;
@@ -105,7 +107,7 @@ static mt_status start_parts(mt_finder *finder, const mt_references *first, mt_p
 }
 
 /* *matched: each part has a counterpart in the font, and the font no more of them. */
-static mt_status match_font(mt_finder *finder, int glyph, int font, mt_part *parts, int count,
+static mt_status match_font(mt_finder *finder, int glyph, int font, mt_placed_part *parts, int count,
                             bool *matched) {
     mt_references own;
     mt_status status =
@@ -120,7 +122,7 @@ static mt_status match_font(mt_finder *finder, int glyph, int font, mt_part *par
 
 static mt_status read_composite(mt_finder *finder, int glyph) {
     mt_references first;
-    mt_part *parts;
+    mt_placed_part *parts;
     bool matched = true;
     mt_composite *composite = &finder->composites[glyph];
     mt_status status =

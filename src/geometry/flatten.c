@@ -11,10 +11,6 @@
 #include "geometry/limits.h"
 #include "geometry/outline.h"
 
-typedef struct mt_vector {
-    double x, y;
-} mt_vector;
-
 /* A Bézier of degree 1 … 3 with its first point. */
 typedef struct mt_curve {
     int degree;

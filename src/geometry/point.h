@@ -9,6 +9,11 @@ typedef struct mt_point {
     int32_t x, y;
 } mt_point;
 
+/* A difference of places, not rounded to the grid. */
+typedef struct mt_vector {
+    double x, y;
+} mt_vector;
+
 typedef struct mt_box {
     mt_point min, max; /* both inclusive */
 } mt_box;

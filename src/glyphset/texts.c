@@ -63,14 +63,14 @@ static void add_templates(const mt_texts *texts, const mt_script_slots *slots, c
 
 /* ---- characters by script ------------------------------------------------------------------------------ */
 
-typedef struct mt_member {
+typedef struct mt_slot_char {
     hb_script_t script;
     char slot; /* 'L', 'M', 'V', or a jamo's */
     uint32_t code;
-} mt_member;
+} mt_slot_char;
 
 static int by_slot(const void *p, const void *q) {
-    const mt_member *x = p, *y = q;
+    const mt_slot_char *x = p, *y = q;
     if (x->script != y->script) return x->script < y->script ? -1 : 1;
     if (x->slot != y->slot) return x->slot < y->slot ? -1 : 1;
     return (x->code > y->code) - (x->code < y->code);
@@ -129,8 +129,8 @@ static bool has_templates(hb_script_t script, const mt_gsub *gsub_a, const mt_gs
 }
 
 static mt_status list_members(const mt_texts *texts, const mt_gsub *gsub_a, const mt_gsub *gsub_b,
-                              mt_arena *arena, mt_member **members, int *count) {
-    mt_member *list = mt_arena_new(arena, (size_t)texts->count + 1, sizeof *list);
+                              mt_arena *arena, mt_slot_char **members, int *count) {
+    mt_slot_char *list = mt_arena_new(arena, (size_t)texts->count + 1, sizeof *list);
     *count = 0;
     if (!list) return MT_NO_MEMORY;
     hb_script_t script = HB_SCRIPT_INVALID;
@@ -141,7 +141,7 @@ static mt_status list_members(const mt_texts *texts, const mt_gsub *gsub_a, cons
         if (now != script) wanted = has_templates(now, gsub_a, gsub_b);
         script = now;
         char slot = wanted ? slot_of(code, script) : 0;
-        if (slot) list[(*count)++] = (mt_member){script, slot, code};
+        if (slot) list[(*count)++] = (mt_slot_char){script, slot, code};
     }
     if (*count) qsort(list, (size_t)*count, sizeof *list, by_slot);
     *members = list;
@@ -156,7 +156,7 @@ static uint32_t letter_ra(uint32_t first) {
 }
 
 /* `codes` are the members' characters, in their order. */
-static void add_script(const mt_texts *texts, const mt_member *members, const uint32_t *codes, int count) {
+static void add_script(const mt_texts *texts, const mt_slot_char *members, const uint32_t *codes, int count) {
     static const char *const plain[] = {"LM", "LMM", NULL};
     static const char *const jamo[] = {"AB", "ABC", NULL};
     static const char *const joined[] = {"ZL",  "LZ",   "ZLZ",  "LL",    "ZLL",  "LLZ",   "ZLLZ",
@@ -180,7 +180,7 @@ static void add_script(const mt_texts *texts, const mt_member *members, const ui
 
 mt_status mt_texts_of_scripts(const mt_texts *texts, const mt_gsub *gsub_a, const mt_gsub *gsub_b,
                               mt_arena *arena) {
-    mt_member *members;
+    mt_slot_char *members;
     int count;
     mt_status status = list_members(texts, gsub_a, gsub_b, arena, &members, &count);
     uint32_t *codes = status == MT_OK ? mt_arena_new(arena, (size_t)count + 1, sizeof *codes) : NULL;

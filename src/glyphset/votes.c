@@ -47,21 +47,22 @@ static void vote(mt_votes *votes, uint32_t a, uint32_t b, uint32_t weight, uint3
 /* ---- texts --------------------------------------------------------------------------------------------- */
 
 /* A part of a shaped text: the glyphs from `start` up to `end`. */
-typedef struct mt_part {
+typedef struct mt_cluster_run {
     unsigned start, end;
-} mt_part;
+} mt_cluster_run;
 
 static unsigned cluster_at(const mt_shaped_text *shaped, unsigned i) {
     return i < shaped->count ? shaped->glyphs[i].cluster : UINT32_MAX;
 }
 
-static void skip_cluster(const mt_shaped_text *shaped, mt_part *part) {
+static void skip_cluster(const mt_shaped_text *shaped, mt_cluster_run *part) {
     unsigned cluster = cluster_at(shaped, part->end);
     while (part->end < shaped->count && shaped->glyphs[part->end].cluster == cluster) part->end++;
 }
 
 /* Extends both parts to the next place of the text where both shaped texts have a border. */
-static void next_place(const mt_shaped_text *a, mt_part *in_a, const mt_shaped_text *b, mt_part *in_b) {
+static void next_place(const mt_shaped_text *a, mt_cluster_run *in_a, const mt_shaped_text *b,
+                       mt_cluster_run *in_b) {
     in_a->start = in_a->end;
     in_b->start = in_b->end;
     skip_cluster(a, in_a);
@@ -87,7 +88,7 @@ void mt_votes_add(mt_votes *votes, mt_shaper *a, mt_shaper *b, const uint32_t *c
     if (has_notdef(&in_a)) return;
     mt_shaped_text in_b = mt_shaper_shape(b, codes, count);
     if (has_notdef(&in_b)) return;
-    mt_part part_a = {0, 0}, part_b = {0, 0};
+    mt_cluster_run part_a = {0, 0}, part_b = {0, 0};
     while (part_a.end < in_a.count && part_b.end < in_b.count) {
         next_place(&in_a, &part_a, &in_b, &part_b);
         unsigned length = part_a.end - part_a.start;

@@ -8,10 +8,6 @@
 
 #include <math.h>
 
-double mt_report_t(int step) {
-    return (double)step / (MT_REPORT_STEPS - 1);
-}
-
 /* ---- ink ----------------------------------------------------------------------------------------------- */
 
 /* Chords may touch where the curves do not: what is not clean is looked at again, more finely. */
@@ -26,10 +22,6 @@ static mt_status measure_ink(const mt_outline *outline, double tolerance, mt_are
 }
 
 /* ---- joins --------------------------------------------------------------------------------------------- */
-
-typedef struct mt_vector {
-    double x, y;
-} mt_vector;
 
 static mt_vector from_to(mt_point p, mt_point q) {
     return (mt_vector){(double)q.x - p.x, (double)q.y - p.y};

@@ -84,7 +84,10 @@ typedef struct mt_report_glyph {
 mt_status mt_report_measure(const mt_glyph_pair *pair, const mt_params *params, int units, mt_arena *arena,
                             mt_report_glyph *glyph);
 /* The place of a step, 0 … MT_REPORT_STEPS - 1. */
-double mt_report_t(int step);
+static inline double mt_report_t(int step) {
+    return (double)step / (MT_REPORT_STEPS - 1);
+}
+
 /* The corners of an outline; leaves its points as they are. */
 void mt_report_count_corners(const mt_outline *outline, mt_report_drawing *drawing);
 

@@ -108,15 +108,15 @@ const char *mt_axis_place_name(const mt_axis *axis, double value, mt_arena *aren
 
 /* ---- places -------------------------------------------------------------------------------------------- */
 
-typedef struct mt_places {
+typedef struct mt_axis_places {
     const mt_axis *axis;
     mt_arena *arena;
     mt_named_place *list;
     int count;
-} mt_places;
+} mt_axis_places;
 
 /* Adds a place on the axis, unless one has its name. */
-static mt_status add_place(mt_places *places, double value) {
+static mt_status add_place(mt_axis_places *places, double value) {
     const mt_axis *axis = places->axis;
     const struct mt_known_axis *known = find_axis(axis->tag);
     if (value < fmin(axis->from, axis->to) || value > fmax(axis->from, axis->to)) return MT_OK;
@@ -128,7 +128,7 @@ static mt_status add_place(mt_places *places, double value) {
     return MT_OK;
 }
 
-static mt_status add_standard_places(mt_places *places) {
+static mt_status add_standard_places(mt_axis_places *places) {
     enum { QUARTERS = 4 };
     const mt_axis *axis = places->axis;
     int parts = axis->tag == SLANT || axis->tag == ITALIC ? 1 : QUARTERS;
@@ -142,7 +142,7 @@ static mt_status add_standard_places(mt_places *places) {
 }
 
 /* The regular weight's bold is its link, as bold buttons of applications have it. */
-static void link_bold(mt_places *places) {
+static void link_bold(mt_axis_places *places) {
     mt_named_place *regular = NULL;
     if (places->axis->tag != WEIGHT) return;
     for (int i = 0; i < places->count; i++) {
@@ -159,7 +159,7 @@ static int compare(const void *a, const void *b) {
 mt_status mt_axis_name_places(const double *values, int count, mt_arena *arena, mt_axis_data *data) {
     enum { STANDARD_MOST = 16 };
     const struct mt_known_axis *known = find_axis(data->axis.tag);
-    mt_places places = {&data->axis, arena, NULL, 0};
+    mt_axis_places places = {&data->axis, arena, NULL, 0};
     places.list = mt_arena_new(arena, STANDARD_MOST + (size_t)count, sizeof *places.list);
     char *name = mt_arena_new(arena, 5, 1);
     if (!places.list || !name) return MT_NO_MEMORY;

@@ -35,10 +35,6 @@ typedef struct mt_tally {
     double ratios[CHARS_MAX];
 } mt_tally;
 
-typedef struct mt_vector {
-    double x, y;
-} mt_vector;
-
 static void stop(mt_status status, const char *what) {
     printf("%s: %s\n", what, mt_status_text(status));
     exit(2);

@@ -24,10 +24,6 @@
  * places between the masters its kink. */
 enum { ROUNDS = 3, SAMPLES = 8, STEPS = 8 };
 
-typedef struct mt_vector {
-    double x, y;
-} mt_vector;
-
 /* A node of one master, and the ends of the handles on both sides. */
 typedef struct mt_node_handles {
     mt_vector before, at, after;
