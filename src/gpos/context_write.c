@@ -1,6 +1,4 @@
 /* Contexts written: rules of classes in format 2, rules of lists of glyphs in format 3. */
-#include <string.h>
-
 #include "gpos/context.h"
 
 /* A lookup in the making. */
@@ -14,14 +12,10 @@ typedef struct mt_context_writer {
 } mt_context_writer;
 
 static mt_status add_call(mt_context_writer *writer, size_t at, int called_as) {
-    if (writer->call_count == writer->call_room) {
-        int room = writer->call_room ? 2 * writer->call_room : 64;
-        mt_lookup_call *grown = mt_arena_new(writer->arena, (size_t)room, sizeof *grown);
-        if (!grown) return MT_NO_MEMORY;
-        if (writer->calls) memcpy(grown, writer->calls, (size_t)writer->call_count * sizeof *grown);
-        writer->calls = grown;
-        writer->call_room = room;
-    }
+    mt_lookup_call *grown = mt_arena_grow_list(writer->arena, writer->calls, writer->call_count,
+                                               &writer->call_room, sizeof *grown);
+    if (!grown) return MT_NO_MEMORY;
+    writer->calls = grown;
     writer->calls[writer->call_count++] = (mt_lookup_call){writer->subtables.count, at, called_as};
     return MT_OK;
 }

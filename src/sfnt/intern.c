@@ -41,17 +41,15 @@ static mt_status grow_slots(mt_interned *set) {
 }
 
 static mt_status grow_rows(mt_interned *set) {
-    int room = set->room ? 2 * set->room : 16;
-    int32_t *rows = mt_grow(set->rows, (size_t)room, row_size(set) ? row_size(set) : 1);
+    int32_t *rows = mt_grow_list(set->rows, set->count, &set->room, row_size(set) ? row_size(set) : 1);
     if (!rows) return MT_NO_MEMORY;
     set->rows = rows;
-    set->room = room;
     return MT_OK;
 }
 
 mt_status mt_intern(mt_interned *set, const int32_t *row, int *number) {
     mt_status status = 2 * (set->count + 1) > set->slot_count ? grow_slots(set) : MT_OK;
-    if (status == MT_OK && set->count == set->room) status = grow_rows(set);
+    if (status == MT_OK) status = grow_rows(set);
     if (status != MT_OK) return status;
     int slot = find_slot(set, row);
     if (set->slots[slot] < 0) {
