@@ -54,6 +54,7 @@ typedef enum mt_status {
     MT_CANNOT_WRITE,   /* the output file cannot be written */
     MT_UNKNOWN_FORMAT, /* the output file's extension is none that can be written */
     MT_BAD_HINTS,      /* the hints file is malformed */
+    MT_ENDLESS_LOOKUPS, /* lookups of GSUB or GPOS call each other in a circle, or make a text longer without end */
 } mt_status;
 
 /* One line of English, without a full stop; static storage. */

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "characters_file.h"
+#include "glyphset/font_pair.h"
 #include "hints_file.h"
 #include "messages.h"
 #include "source/font.h"
@@ -176,13 +177,23 @@ int work_failures(cli_work *work) {
     return fail("%d glyph%s could not be blended; nothing written (--strict)", count, count == 1 ? "" : "s");
 }
 
+/* Names the font that is to blame, where one is by itself; all of them otherwise. */
+static void name_fonts(const cli_work *work, mt_status status, char *name, size_t room) {
+    for (int i = 0; status == MT_ENDLESS_LOOKUPS && i < work->options->font_count; i++) {
+        if (!mt_font_is_endless(work->fonts[i])) continue;
+        snprintf(name, room, "%s", work->options->fonts[i]);
+        return;
+    }
+    work_name(work->options, name, room);
+}
+
 int work_fail(cli_work *work, mt_status status) {
     char name[NAME_ROOM];
     bool of_output = status == MT_CANNOT_WRITE || status == MT_UNKNOWN_FORMAT || status == MT_TOO_LARGE;
     progress_erase(&work->bar);
     if (work->stopped) return COULD_NOT;
     if (of_output) return fail_status(work->options->output, status);
-    work_name(work->options, name, sizeof name);
+    name_fonts(work, status, name, sizeof name);
     return fail_status(name, status);
 }
 

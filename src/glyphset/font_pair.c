@@ -108,6 +108,23 @@ mt_status mt_font_pair_make(mt_font *a, mt_font *b, const mt_charset_request *re
     return status;
 }
 
+static mt_status check_lookups(mt_font *font, mt_arena *arena) {
+    mt_font_pair with_itself;
+    mt_layout layout;
+    mt_bytes gpos;
+    mt_status status = mt_font_table(font, MT_TAG('G', 'P', 'O', 'S'), arena, &gpos);
+    if (status == MT_OK) status = mt_layout_open(gpos, MT_EXTENSION_GPOS, arena, &layout);
+    return status == MT_OK ? mt_font_pair_make(font, font, &(mt_charset_request){0}, arena, &with_itself)
+                           : status;
+}
+
+bool mt_font_is_endless(mt_font *font) {
+    mt_arena arena = {0};
+    mt_status status = check_lookups(font, &arena);
+    mt_arena_release(&arena);
+    return status == MT_ENDLESS_LOOKUPS;
+}
+
 const mt_code *mt_font_pair_code(const mt_font_pair *pair, uint32_t code_point) {
     return mt_codes_find(&pair->codes, code_point);
 }

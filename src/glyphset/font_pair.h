@@ -23,9 +23,12 @@ typedef struct mt_font_pair {
 
 /* Pairs the glyphs of both fonts by characters, by variation sequences, by texts, by names and by the features that lead to them
  * (match.h). Keeps the pairs, or of limited characters their glyphs, and all that A's substitutions make of what is kept.
- * MT_NOTHING_SHARED, MT_NO_MEMORY. */
+ * MT_NOTHING_SHARED, MT_ENDLESS_LOOKUPS, MT_NO_MEMORY. */
 mt_status mt_font_pair_make(mt_font *a, mt_font *b, const mt_charset_request *request, mt_arena *arena,
                             mt_font_pair *pair);
+
+/* Whether a font's own lookups have no end, of GPOS too: it is to blame where a pair with it has MT_ENDLESS_LOOKUPS. */
+bool mt_font_is_endless(mt_font *font);
 
 /* NULL where the pair has not both the character, or the sequence. */
 const mt_code *mt_font_pair_code(const mt_font_pair *pair, uint32_t code_point);

@@ -28,6 +28,7 @@ mt_status mt_text_pairs_find(mt_text_pairs *pairs, const mt_glyph_match *match, 
     if (status == MT_OK) status = mt_texts_of_scripts(&texts, gsub_a, gsub_b, arena);
     if (status == MT_OK) status = mt_texts_of_rules(&texts, gsub_a, arena);
     if (status == MT_OK && pairs->votes.failed) status = MT_NO_MEMORY;
+    if (status == MT_OK && (pairs->a.endless || pairs->b.endless)) status = MT_ENDLESS_LOOKUPS;
     if (status == MT_OK) mt_votes_sort(&pairs->votes);
     return status;
 }

@@ -51,6 +51,7 @@ void mt_shaper_close(mt_shaper *shaper) {
 mt_shaped_text mt_shaper_shape(mt_shaper *shaper, const uint32_t *codes, int count) {
     hb_buffer_t *buffer = shaper->buffer;
     mt_shaped_text shaped = {0, NULL};
+    if (shaper->endless) return shaped;
     hb_buffer_clear_contents(buffer);
     hb_buffer_set_flags(buffer, HB_BUFFER_FLAG_REMOVE_DEFAULT_IGNORABLES);
     hb_buffer_add_codepoints(buffer, codes, count, 0, count);
@@ -60,7 +61,8 @@ mt_shaped_text mt_shaper_shape(mt_shaper *shaper, const uint32_t *codes, int cou
     if (none && shaper->has_latin) hb_buffer_set_script(buffer, HB_SCRIPT_LATIN);
     hb_buffer_set_language(buffer, HB_LANGUAGE_INVALID);
     hb_shape(shaper->hb, buffer, NULL, 0);
-    if (!hb_buffer_allocation_successful(buffer)) return shaped;
+    shaper->endless = !hb_buffer_allocation_successful(buffer);
+    if (shaper->endless) return shaped;
     if (HB_DIRECTION_IS_BACKWARD(hb_buffer_get_direction(buffer))) hb_buffer_reverse(buffer);
     shaped.glyphs = hb_buffer_get_glyph_infos(buffer, &shaped.count);
     return shaped;

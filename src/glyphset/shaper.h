@@ -15,6 +15,7 @@ typedef struct mt_shaper {
     hb_font_t *hb;
     hb_buffer_t *buffer;
     bool has_latin, has_classes;
+    bool endless; /* HarfBuzz gave up on a text, which had become 64 times as long, and over 16,384 glyphs */
 } mt_shaper;
 
 /* The glyphs of a shaped text in the order of its characters; they belong to the shaper until it shapes the next one. */
@@ -28,7 +29,7 @@ mt_status mt_shaper_open(const mt_font *font, const mt_gsub *gsub, mt_arena *are
 void mt_shaper_close(mt_shaper *shaper); /* all zero is fine */
 
 /* Shapes with the features that are on by default. Signs of no script are shaped as Latin where the font has it. No glyphs
- * when there is no memory. */
+ * for a text that has no end, and for all after it. */
 mt_shaped_text mt_shaper_shape(mt_shaper *shaper, const uint32_t *codes, int count);
 
 /* Whether GDEF has both glyphs as marks or neither, as far as it is known. */

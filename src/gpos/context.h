@@ -63,12 +63,9 @@ typedef struct mt_context_reader {
 mt_status mt_context_read(mt_context_reader *reader, int type, mt_bytes table, mt_context_subtable *subtable,
                           bool *found);
 
-/* Marks the lookups that a lookup of type 7 or 8 calls, and those that they call, and so on; `reached` has one for each. */
-void mt_context_reach(const mt_layout *layout, int lookup, bool *reached, int64_t *steps);
-
-/* The same of all such lookups in a system's features of a tag. */
-void mt_context_reach_feature(const mt_layout *layout, int system, uint32_t tag, bool *reached,
-                              int64_t *steps);
+/* Marks the lookups that contexts in a system's features of a tag call, and those that they call, and so on; `reached` has
+ * one for each lookup. */
+void mt_context_reach_feature(const mt_layout *layout, int system, uint32_t tag, bool *reached);
 
 /* A lookup of such subtables in the new font. */
 typedef struct mt_context_lookup {

@@ -44,70 +44,15 @@ static mt_rule_layout find_rule(mt_bytes table, bool chained, size_t from, int f
 
 /* ---- which lookups are called -------------------------------------------------------------------------- */
 
-typedef struct mt_reaching {
-    const mt_layout *layout;
-    bool *reached;
-    int64_t *steps;
-} mt_reaching;
-
-static void reach_lookup(mt_reaching *reaching, int lookup);
-
-static void reach_calls(mt_reaching *reaching, mt_bytes table, const mt_rule_layout *rule) {
-    if (!rule->whole || !spend(reaching->steps, 1 + rule->call_count)) return;
-    for (int i = 0; i < rule->call_count; i++) {
-        int lookup = (int)mt_ot_u16(table, rule->calls_at + 4 * (size_t)i + 2);
-        if (lookup >= reaching->layout->lookup_count || reaching->reached[lookup]) continue;
-        reaching->reached[lookup] = true;
-        reach_lookup(reaching, lookup);
-    }
-}
-
-static size_t sets_at(unsigned format, bool chained) {
-    return format == 1 ? 4 : chained ? 10 : 6;
-}
-
-static void reach_subtable(mt_reaching *reaching, mt_bytes table, bool chained) {
-    unsigned format = mt_ot_u16(table, 0);
-    if (format == 3) {
-        mt_rule_layout rule = find_rule(table, chained, 2, 0);
-        reach_calls(reaching, table, &rule);
-    }
-    if (format != 1 && format != 2) return;
-    size_t at = sets_at(format, chained);
-    int sets = mt_ot_fit(table, at + 2, mt_ot_u16(table, at), 2);
-    for (int i = 0; i < sets && spend(reaching->steps, 1); i++) {
-        mt_bytes set = mt_ot_follow(table, at + 2 + 2 * (size_t)i);
-        int count = mt_ot_fit(set, 2, mt_ot_u16(set, 0), 2);
-        for (int k = 0; k < count && spend(reaching->steps, 1); k++) {
-            mt_bytes rule_table = mt_ot_follow(set, 2 + 2 * (size_t)k);
-            mt_rule_layout rule = find_rule(rule_table, chained, 0, 1);
-            reach_calls(reaching, rule_table, &rule);
-        }
-    }
-}
-
-static void reach_lookup(mt_reaching *reaching, int index) {
-    mt_lookup lookup = mt_layout_lookup(reaching->layout, index);
-    if (lookup.type != MT_CONTEXT && lookup.type != MT_CHAINED_CONTEXT) return;
-    for (int i = 0; i < lookup.subtable_count && spend(reaching->steps, 1); i++)
-        reach_subtable(reaching, mt_lookup_subtable(&lookup, i), lookup.type == MT_CHAINED_CONTEXT);
-}
-
-void mt_context_reach(const mt_layout *layout, int lookup, bool *reached, int64_t *steps) {
-    mt_reaching reaching = {layout, reached, steps};
-    reach_lookup(&reaching, lookup);
-}
-
-void mt_context_reach_feature(const mt_layout *layout, int system, uint32_t tag, bool *reached,
-                              int64_t *steps) {
+void mt_context_reach_feature(const mt_layout *layout, int system, uint32_t tag, bool *reached) {
     const mt_system *s = system < 0 ? NULL : &layout->systems[system];
     for (int i = 0; s && i <= s->feature_count; i++) {
         int feature = mt_system_feature(layout, s, i);
         if (feature < 0 || mt_feature_tag(layout, feature) != tag) continue;
         int count = mt_feature_lookup_count(layout, feature);
-        for (int k = 0; k < count && spend(steps, 1); k++) {
+        for (int k = 0; k < count; k++) {
             int lookup = mt_feature_lookup(layout, feature, k);
-            if (lookup >= 0) mt_context_reach(layout, lookup, reached, steps);
+            if (lookup >= 0) mt_calls_mark(&layout->calls, lookup, reached);
         }
     }
 }
@@ -221,6 +166,10 @@ static mt_status read_set(mt_class_map *map, mt_bytes table, bool chained, int f
     for (int i = 0; i < count && status == MT_OK; i++)
         status = read_rule(map, mt_ot_follow(table, 2 + 2 * (size_t)i), chained, first, arena, set);
     return status;
+}
+
+static size_t sets_at(unsigned format, bool chained) {
+    return format == 1 ? 4 : chained ? 10 : 6;
 }
 
 /* The sets are by class in format 2, and by the place in the coverage in format 1. */

@@ -47,7 +47,7 @@ static mt_status find_contexts(mt_contexts_job *job) {
         bool *reached = mt_arena_new(job->reader.scratch, (size_t)count + 1, sizeof *reached);
         status = reached ? find_members(job, i) : MT_NO_MEMORY;
         if (status != MT_OK || job->heads[i].member_count == 0) continue;
-        mt_context_reach(job->layouts[0], i, reached, &job->reader.steps);
+        mt_calls_mark(&job->layouts[0]->calls, i, reached);
         for (int k = 0; k < count; k++)
             if (reached[k] && job->caller[k] == NONE) job->caller[k] = i;
         mt_arena_rewind(job->reader.scratch, place);
@@ -71,7 +71,7 @@ static mt_status list_called(mt_contexts_job *job, int font, mt_member member, i
     list->lookups =
         mt_arena_new(job->reader.scratch, (size_t)layout->lookup_count + 1, sizeof *list->lookups);
     if (!reached || !list->lookups) return MT_NO_MEMORY;
-    mt_context_reach_feature(layout, system, member.feature, reached, &job->reader.steps);
+    mt_context_reach_feature(layout, system, member.feature, reached);
     for (int i = 0; i < layout->lookup_count; i++)
         if (reached[i] && mt_layout_lookup(layout, i).type == type) list->lookups[list->count++] = i;
     return MT_OK;

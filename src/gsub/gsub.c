@@ -5,26 +5,6 @@
 #include "geometry/limits.h"
 #include "sfnt/sfnt.h"
 
-static mt_status keep_calls(mt_gsub_reader *reader, const bool *called, mt_gsub_lookup *lookup) {
-    int count = 0;
-    for (int i = 0; i < reader->lookup_count; i++) count += called[i];
-    lookup->calls = mt_arena_new(reader->arena, (size_t)count + 1, sizeof *lookup->calls);
-    if (!lookup->calls) return MT_NO_MEMORY;
-    for (int i = 0; i < reader->lookup_count; i++)
-        if (called[i]) lookup->calls[lookup->call_count++] = (uint16_t)i;
-    return MT_OK;
-}
-
-static mt_status read_calls(mt_gsub_reader *reader, mt_gsub_lookup *lookup) {
-    bool *called = mt_new((size_t)reader->lookup_count, sizeof *called);
-    if (!called) return MT_NO_MEMORY;
-    for (int i = 0; i < lookup->subtable_count; i++)
-        mt_gsub_called(reader, lookup->type, lookup->subtables[i].table, called);
-    mt_status status = keep_calls(reader, called, lookup);
-    mt_free(called);
-    return status;
-}
-
 static mt_status read_lookup(mt_gsub_reader *reader, const mt_lookup *from, mt_gsub_lookup *lookup) {
     *lookup = (mt_gsub_lookup){.type = from->type, .flag = from->flag, .mark_set = from->mark_set};
     reader->left -= from->subtable_count;
@@ -39,13 +19,12 @@ static mt_status read_lookup(mt_gsub_reader *reader, const mt_lookup *from, mt_g
         subtable->table = mt_lookup_subtable(from, i);
         status = mt_gsub_read(reader, from->type, subtable->table, subtable);
     }
-    bool calls = from->type == MT_GSUB_CONTEXT || from->type == MT_GSUB_CHAIN;
-    return status == MT_OK && calls ? read_calls(reader, lookup) : status;
+    return status;
 }
 
 static mt_status read_lookups(mt_gsub *gsub, mt_arena *arena) {
     int count = gsub->layout.lookup_count;
-    mt_gsub_reader reader = {arena, gsub->glyph_count, count, MT_SUBSTITUTIONS_MAX};
+    mt_gsub_reader reader = {arena, gsub->glyph_count, MT_SUBSTITUTIONS_MAX};
     gsub->lookups = mt_arena_new(arena, (size_t)count + 1, sizeof *gsub->lookups);
     mt_status status = gsub->lookups ? MT_OK : MT_NO_MEMORY;
     for (int i = 0; i < count && status == MT_OK; i++) {
@@ -72,23 +51,12 @@ mt_status mt_gsub_open_table(mt_bytes table, int glyph_count, mt_arena *arena, m
     return status;
 }
 
-static void mark_lookup(const mt_gsub *gsub, int index, bool *marked);
-
-/* A called lookup may call others; how deep that goes is bounded by their number, since each is entered once. */
-static void mark_calls(const mt_gsub *gsub, const mt_gsub_lookup *lookup, bool *marked) {
-    for (int i = 0; i < lookup->call_count; i++) mark_lookup(gsub, lookup->calls[i], marked);
-}
-
-static void mark_lookup(const mt_gsub *gsub, int index, bool *marked) {
-    if (marked[index]) return;
-    marked[index] = true;
-    mark_calls(gsub, &gsub->lookups[index], marked);
-}
-
 void mt_gsub_mark(const mt_gsub *gsub, int feature, bool *marked) {
     int count = mt_feature_lookup_count(&gsub->layout, feature);
     for (int i = 0; i < count; i++) {
         int lookup = mt_feature_lookup(&gsub->layout, feature, i);
-        if (lookup >= 0) mark_lookup(gsub, lookup, marked);
+        if (lookup < 0 || marked[lookup]) continue;
+        marked[lookup] = true;
+        mt_calls_mark(&gsub->layout.calls, lookup, marked);
     }
 }

@@ -39,8 +39,6 @@ typedef struct mt_gsub_lookup {
     int mark_set;
     int subtable_count;
     mt_gsub_subtable *subtables;
-    int call_count; /* of lookups that a context calls */
-    uint16_t *calls;
 } mt_gsub_lookup;
 
 typedef struct mt_gsub {
@@ -51,7 +49,7 @@ typedef struct mt_gsub {
 } mt_gsub;
 
 /* Reads the font's GSUB at its place on the axes, into the arena. What is malformed, and what goes beyond
- * MT_SUBSTITUTIONS_MAX, is passed over. MT_NO_MEMORY. */
+ * MT_SUBSTITUTIONS_MAX, is passed over. MT_NO_MEMORY, MT_ENDLESS_LOOKUPS. */
 mt_status mt_gsub_open(const mt_font *font, mt_arena *arena, mt_gsub *gsub);
 
 /* The same of a table of version 1.0 by itself. */
@@ -64,16 +62,13 @@ void mt_gsub_mark(const mt_gsub *gsub, int feature, bool *marked);
 
 typedef struct mt_gsub_reader {
     mt_arena *arena;
-    int glyph_count, lookup_count;
+    int glyph_count;
     int64_t
         left; /* of what may be read: a table whose parts share bytes can hold more than there is memory */
 } mt_gsub_reader;
 
 /* gsub_read.c: the substitutions of a subtable of one of the types 1 … 4 and 8. MT_NO_MEMORY. */
 mt_status mt_gsub_read(mt_gsub_reader *reader, int type, mt_bytes table, mt_gsub_subtable *subtable);
-
-/* gsub_context.c: marks the lookups that a subtable of type 5 or 6 calls; `called` has one for each lookup. */
-void mt_gsub_called(mt_gsub_reader *reader, int type, mt_bytes table, bool *called);
 
 /* gsub_twins.c: adds to each substitution of a twin's like one of the twin: they differ in the first glyph. Contexts do not
  * know twins. MT_NO_MEMORY. */

@@ -64,8 +64,9 @@ mt_status mt_layout_open(mt_bytes table, int extension, mt_arena *arena, mt_layo
         if (made.lookup_count > LOOKUPS_MAX || count_entries(&made) > ENTRIES_MAX)
             made = (mt_layout){.extension = extension};
     }
-    *layout = made;
-    return MT_OK;
+    mt_status status = mt_calls_read(&made, arena, &made.calls);
+    if (status == MT_OK) *layout = made;
+    return status;
 }
 
 static int find_system(const mt_layout *layout, uint32_t script, uint32_t language) {

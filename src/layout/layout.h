@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/memory.h"
+#include "layout/calls.h"
 #include "layout/ot.h"
 #include "sfnt/sfnt.h"
 
@@ -24,10 +25,11 @@ typedef struct mt_layout {
     mt_system *systems; /* as the table has them: scripts in its order, the default before the others */
     int feature_count, lookup_count;
     mt_bytes features, lookups; /* FeatureList, LookupList */
+    mt_calls calls;
 } mt_layout;
 
 /* An empty or malformed table, or one with thousands of systems or lookups, has none at all. `extension` is the type of
- * the table's extension lookups. MT_NO_MEMORY. */
+ * the table's extension lookups. MT_NO_MEMORY, MT_ENDLESS_LOOKUPS. */
 mt_status mt_layout_open(mt_bytes table, int extension, mt_arena *arena, mt_layout *layout);
 
 /* The index of the system for a script and language: that of both, else the script's default, else that of DFLT, dflt

@@ -69,8 +69,11 @@ static void check_all(const mt_gsub *gsub) {
     assert_glyphs(gsub, 3, 0, "1 2 3 > 19");
     assert_glyphs(gsub, 3, 1, "3 1 > 20");
     assert_glyphs(gsub, 6, 0, "6 > 22");
-    assert_int_equal(gsub->lookups[4].call_count, 1);
-    assert_int_equal(gsub->lookups[4].calls[0], 5);
+    const mt_calls *calls = &gsub->layout.calls;
+    assert_int_equal(calls->first[LOOKUPS], 1);
+    assert_int_equal(calls->first[4], 0);
+    assert_int_equal(calls->first[5], 1);
+    assert_int_equal(calls->lookups[0], 5);
     bool marked[LOOKUPS] = {false};
     mt_gsub_mark(gsub, 4, marked);
     for (int i = 0; i < LOOKUPS; i++) assert_int_equal(marked[i], i == 4 || i == 5);
@@ -175,7 +178,7 @@ static void what_leads_out_is_struck(void **state) {
     prune(kept, sizeof kept / sizeof *kept, &gsub);
     assert_int_equal(gsub.layout.lookup_count, 5);
     assert_int_equal(gsub.lookups[4].type, MT_GSUB_CHAIN);
-    assert_int_equal(gsub.lookups[4].call_count, 0);
+    assert_int_equal(gsub.layout.calls.first[5], 0);
     assert_int_equal(gsub.lookups[0].subtables[0].count, 1);
     assert_glyphs(&gsub, 0, 0, "2 > 12");
     assert_int_equal(gsub.lookups[1].subtables[0].count, 1);
@@ -199,7 +202,7 @@ static void long_tables_are_divided(void **state) {
     mt_gsub_parts parts = {.arena = &arena};
     mt_assert_ok(mt_gsub_write(&parts, MT_GSUB_MULTIPLE, (mt_bytes){0}, list, SETS));
     assert_true(parts.count > 1 && !parts.bytes.failed);
-    mt_gsub_reader reader = {&arena, SETS + LENGTH + 1, 0, 1 << 20};
+    mt_gsub_reader reader = {&arena, SETS + LENGTH + 1, 1 << 20};
     int read = 0;
     for (int i = 0; i < parts.count; i++) {
         mt_gsub_subtable subtable = {
@@ -231,7 +234,7 @@ static void damaged_tables(void **state) {
     for (int number = 0; number < mt_test_cases(60); number++) {
         mt_random random = mt_random_case(number);
         mt_arena own = {0};
-        mt_layout_tables tables;
+        mt_layout_tables tables = {0};
         uint8_t *bytes = mt_arena_new(&own, whole.length, 1);
         assert_non_null(bytes);
         memcpy(bytes, whole.bytes, whole.length);
@@ -243,7 +246,8 @@ static void damaged_tables(void **state) {
             bytes[mt_random_between(&random, 0, i % 2 ? (int)length - 1 : to - 1)] =
                 (uint8_t)mt_random_between(&random, 0, 255);
         font = open_font(COUNT, (mt_bytes){bytes, length});
-        mt_assert_ok(mt_gsub_subset(font, kept, KEPT, &own, &tables));
+        mt_status status = mt_gsub_subset(font, kept, KEPT, &own, &tables);
+        assert_true(status == MT_OK || status == MT_ENDLESS_LOOKUPS);
         mt_font_close(font);
         survived += tables.gsub.length > 0;
         mt_arena_release(&own);

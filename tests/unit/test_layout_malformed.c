@@ -49,23 +49,29 @@ static mt_font *open_with(const char *name, uint32_t tag, mt_bytes table) {
     return font;
 }
 
+/* Positions of the two, at one place and varying; none where the lookups have no end. */
+static void write_positions(mt_font *a, mt_font *b, mt_arena *scratch) {
+    mt_charset charset;
+    mt_positions *positions;
+    mt_bytes gpos, gdef, none = {0};
+    mt_kerning kerning;
+    mt_assert_ok(mt_charset_make(a, b, &(mt_charset_request){0}, scratch, &charset));
+    mt_status status = mt_test_positions((mt_font *[]){a, b}, &charset, 2, 1000, scratch, &positions);
+    if (status == MT_ENDLESS_LOOKUPS) return;
+    mt_assert_ok(status);
+    status = mt_positions_write(positions, 0.5, scratch, &gpos);
+    assert_true(status == MT_OK || status == MT_TOO_LARGE);
+    status = mt_positions_write_varying(positions, none, scratch, &gpos, &gdef);
+    assert_true(status == MT_OK || status == MT_TOO_LARGE);
+    mt_assert_ok(mt_positions_kerning(positions, 0.5, scratch, &kerning));
+}
+
 /* Blends a font that has the table with one that has another, both ways round. */
 static void blend_with(uint32_t tag, mt_bytes table, mt_font *other) {
     mt_font *font = open_with("malformed.ttf", tag, table);
     for (int k = 0; k < 2; k++) {
         mt_arena scratch = {0};
-        mt_charset charset;
-        mt_positions *positions;
-        mt_bytes gpos, gdef, none = {0};
-        mt_kerning kerning;
-        mt_font *a = k ? other : font, *b = k ? font : other;
-        mt_assert_ok(mt_charset_make(a, b, &(mt_charset_request){0}, &scratch, &charset));
-        mt_assert_ok(mt_test_positions((mt_font *[]){a, b}, &charset, 2, 1000, &scratch, &positions));
-        mt_status status = mt_positions_write(positions, 0.5, &scratch, &gpos);
-        assert_true(status == MT_OK || status == MT_TOO_LARGE);
-        status = mt_positions_write_varying(positions, none, &scratch, &gpos, &gdef);
-        assert_true(status == MT_OK || status == MT_TOO_LARGE);
-        mt_assert_ok(mt_positions_kerning(positions, 0.5, &scratch, &kerning));
+        write_positions(k ? other : font, k ? font : other, &scratch);
         mt_arena_release(&scratch);
     }
     mt_font_close(font);

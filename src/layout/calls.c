@@ -1,0 +1,148 @@
+/* A context has its calls in records at the end of each rule: a place in the sequence, and a lookup. */
+#include "layout/calls.h"
+
+#include "layout/layout.h"
+
+/* NESTING_MAX: levels of lookups, as HarfBuzz has it (HB_MAX_NESTING_LEVEL). NUMBERS_MAX: of rules and records that are read; a
+ * table whose parts share bytes can hold more than there is memory. The largest fonts have a hundredth. */
+enum { NESTING_MAX = 64, NUMBERS_MAX = 1 << 22 };
+
+typedef struct mt_calls_reader {
+    bool *called; /* by the lookup at hand, one for each lookup */
+    int lookup_count, left;
+} mt_calls_reader;
+
+/* ---- one lookup ---------------------------------------------------------------------------------------- */
+
+static void read_records(mt_calls_reader *reader, mt_bytes table, size_t at, unsigned count) {
+    int fit = mt_ot_fit(table, at, count, 4);
+    reader->left -= fit + 1;
+    for (int i = 0; i < fit && reader->left >= 0; i++) {
+        unsigned lookup = mt_ot_u16(table, at + 4 * (size_t)i + 2);
+        if (lookup < (unsigned)reader->lookup_count) reader->called[lookup] = true;
+    }
+}
+
+/* SequenceRule: the first glyph stands in no array. */
+static void read_rule(mt_calls_reader *reader, mt_bytes rule) {
+    size_t glyphs = mt_ot_u16(rule, 0);
+    read_records(reader, rule, 4 + 2 * (glyphs ? glyphs - 1 : 0), mt_ot_u16(rule, 2));
+}
+
+/* ChainedSequenceRule: glyphs before, the sequence without its first glyph, glyphs after. */
+static void read_chained_rule(mt_calls_reader *reader, mt_bytes rule) {
+    size_t at = 2 + 2 * (size_t)mt_ot_u16(rule, 0), glyphs = mt_ot_u16(rule, at);
+    at += 2 + 2 * (glyphs ? glyphs - 1 : 0);
+    at += 2 + 2 * (size_t)mt_ot_u16(rule, at);
+    read_records(reader, rule, at + 2, mt_ot_u16(rule, at));
+}
+
+/* The sets of rules whose offsets stand from `at` on, after their count. */
+static void read_sets(mt_calls_reader *reader, mt_bytes table, size_t at, bool chained) {
+    int sets = mt_ot_fit(table, at + 2, mt_ot_u16(table, at), 2);
+    for (int i = 0; i < sets && reader->left >= 0; i++) {
+        mt_bytes set = mt_ot_follow(table, at + 2 + 2 * (size_t)i);
+        int rules = mt_ot_fit(set, 2, mt_ot_u16(set, 0), 2);
+        reader->left--;
+        for (int k = 0; k < rules && reader->left >= 0; k++)
+            (chained ? read_chained_rule : read_rule)(reader, mt_ot_follow(set, 2 + 2 * (size_t)k));
+    }
+}
+
+/* Format 3: one rule, with coverages in place of glyphs. */
+static void read_coverages(mt_calls_reader *reader, mt_bytes table, bool chained) {
+    size_t at = 2;
+    if (!chained) {
+        read_records(reader, table, 6 + 2 * (size_t)mt_ot_u16(table, 2), mt_ot_u16(table, 4));
+        return;
+    }
+    for (int i = 0; i < 3; i++) at += 2 + 2 * (size_t)mt_ot_u16(table, at);
+    read_records(reader, table, at + 2, mt_ot_u16(table, at));
+}
+
+/* Contexts are the types 5 and 6 of GSUB, and 7 and 8 of GPOS. */
+static void read_lookup(mt_calls_reader *reader, const mt_layout *layout, int index) {
+    mt_lookup lookup = mt_layout_lookup(layout, index);
+    int plain = layout->extension == MT_EXTENSION_GSUB ? 5 : 7;
+    bool chained = lookup.type == plain + 1;
+    for (int i = 0; i < reader->lookup_count; i++) reader->called[i] = false;
+    if (lookup.type != plain && !chained) return;
+    for (int i = 0; i < lookup.subtable_count && reader->left >= 0; i++) {
+        mt_bytes table = mt_lookup_subtable(&lookup, i);
+        reader->left--;
+        switch (mt_ot_u16(table, 0)) {
+        case 1: read_sets(reader, table, 4, chained); break;
+        case 2: read_sets(reader, table, chained ? 10 : 6, chained); break;
+        case 3: read_coverages(reader, table, chained); break;
+        default: break;
+        }
+    }
+}
+
+/* ---- circles ------------------------------------------------------------------------------------------- */
+
+/* How many levels of lookups hang together from this one on, itself included, where `depth` stand above it; more than
+ * NESTING_MAX together with these in a circle. `known` has what is known of each, or 0. */
+static int count_levels(const mt_calls *calls, int lookup, int depth, uint8_t *known) {
+    int most = 0;
+    if (known[lookup] || depth >= NESTING_MAX) return known[lookup] ? known[lookup] : 1;
+    for (int i = calls->first[lookup]; i < calls->first[lookup + 1] && depth + most < NESTING_MAX; i++) {
+        int levels = count_levels(calls, calls->lookups[i], depth + 1, known);
+        if (levels > most) most = levels;
+    }
+    known[lookup] = (uint8_t)(most + 1);
+    return most + 1;
+}
+
+static mt_status check_circles(const mt_calls *calls, int count) {
+    uint8_t *known = mt_new((size_t)count, sizeof *known);
+    if (!known) return MT_NO_MEMORY;
+    bool ends = true;
+    for (int i = 0; i < count && ends; i++) ends = count_levels(calls, i, 0, known) <= NESTING_MAX;
+    mt_free(known);
+    return ends ? MT_OK : MT_ENDLESS_LOOKUPS;
+}
+
+/* ---- the whole ----------------------------------------------------------------------------------------- */
+
+static mt_status read_all(mt_calls_reader *reader, const mt_layout *layout, mt_arena *arena,
+                          mt_calls *calls) {
+    int all = 0, room = 0;
+    for (int i = 0; i < reader->lookup_count; i++) {
+        calls->first[i] = all;
+        read_lookup(reader, layout, i);
+        for (int k = 0; k < reader->lookup_count; k++) {
+            if (!reader->called[k]) continue;
+            uint16_t *grown = mt_arena_grow_list(arena, calls->lookups, all, &room, sizeof *grown);
+            if (!grown) return MT_NO_MEMORY;
+            calls->lookups = grown;
+            calls->lookups[all++] = (uint16_t)k;
+        }
+    }
+    calls->first[reader->lookup_count] = all;
+    return MT_OK;
+}
+
+mt_status mt_calls_read(const mt_layout *layout, mt_arena *arena, mt_calls *calls) {
+    int count = layout->lookup_count;
+    mt_calls made = {0};
+    *calls = made;
+    if (count == 0) return MT_OK;
+    mt_calls_reader reader = {mt_new((size_t)count, sizeof(bool)), count, NUMBERS_MAX};
+    made.first = mt_arena_new(arena, (size_t)count + 1, sizeof *made.first);
+    mt_status status = reader.called && made.first ? read_all(&reader, layout, arena, &made) : MT_NO_MEMORY;
+    if (status == MT_OK) status = check_circles(&made, count);
+    mt_free(reader.called);
+    if (status == MT_OK) *calls = made;
+    return status;
+}
+
+/* Each lookup is entered once, and NESTING_MAX levels deep at most. */
+void mt_calls_mark(const mt_calls *calls, int lookup, bool *marked) {
+    for (int i = calls->first[lookup]; i < calls->first[lookup + 1]; i++) {
+        int called = calls->lookups[i];
+        if (marked[called]) continue;
+        marked[called] = true;
+        mt_calls_mark(calls, called, marked);
+    }
+}
