@@ -2,6 +2,8 @@
  * first that it gets. */
 #include "glyphset/font_pair.h"
 
+#include "layout/open.h"
+
 #include <stdlib.h>
 
 /* ---- sequences ------------------------------------------------------------------------------------------ */

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "gpos/context.h"
+#include "layout/calls.h"
 
 enum { GLYPH_NUMBERS = 65536, NO_CLASS = -1 };
 

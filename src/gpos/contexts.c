@@ -1,5 +1,7 @@
 #include "gpos/contexts.h"
 
+#include "layout/calls.h"
+
 enum { GLYPH_NUMBERS = 65536, NONE = -1 };
 
 typedef struct mt_contexts_job {

@@ -10,6 +10,7 @@
 #include "kerning/write.h"
 #include "layout/at_place.h"
 #include "layout/gdef.h"
+#include "layout/open.h"
 #include "sfnt/sfnt.h"
 
 /* ---- the fonts ----------------------------------------------------------------------------------------- */

@@ -1,6 +1,8 @@
 #include "gsub/gsub.h"
 
 #include "layout/at_place.h"
+#include "layout/calls.h"
+#include "layout/open.h"
 
 #include "geometry/limits.h"
 #include "sfnt/sfnt.h"

@@ -1,8 +1,6 @@
 /* A context has its calls in records at the end of each rule: a place in the sequence, and a lookup. */
 #include "layout/calls.h"
 
-#include "layout/layout.h"
-
 /* NESTING_MAX: levels of lookups, as HarfBuzz has it (HB_MAX_NESTING_LEVEL). NUMBERS_MAX: of rules and records that are read; a
  * table whose parts share bytes can hold more than there is memory. The largest fonts have a hundredth. */
 enum { NESTING_MAX = 64, NUMBERS_MAX = 1 << 22 };

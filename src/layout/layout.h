@@ -3,7 +3,6 @@
 #pragma once
 
 #include "base/memory.h"
-#include "layout/calls.h"
 #include "layout/ot.h"
 #include "sfnt/sfnt.h"
 
@@ -19,6 +18,12 @@ typedef struct mt_system {
     mt_bytes features; /* 16-bit indices */
 } mt_system;
 
+/* Which lookups the contexts call: lookup i those from first[i] up to first[i + 1], ascending, each once. */
+typedef struct mt_calls {
+    int *first; /* one more than there are lookups; NULL without lookups */
+    uint16_t *lookups;
+} mt_calls;
+
 typedef struct mt_layout {
     int extension;
     int system_count;
@@ -27,10 +32,6 @@ typedef struct mt_layout {
     mt_bytes features, lookups; /* FeatureList, LookupList */
     mt_calls calls;
 } mt_layout;
-
-/* An empty or malformed table, or one with thousands of systems or lookups, has none at all. `extension` is the type of
- * the table's extension lookups. MT_NO_MEMORY, MT_ENDLESS_LOOKUPS. */
-mt_status mt_layout_open(mt_bytes table, int extension, mt_arena *arena, mt_layout *layout);
 
 /* The index of the system for a script and language: that of both, else the script's default, else that of DFLT, dflt
  * or latn (the language's own before the default in each), as HarfBuzz chooses it; -1 when there is none of these. */

@@ -4,6 +4,7 @@
 #include "anchors/write_cursive.h"
 #include "anchors/write_marks.h"
 #include "gpos/gpos.h"
+#include "layout/open.h"
 #include "sfnt/sfnt.h"
 #include "support/allocation.h"
 #include "support/blending.h"

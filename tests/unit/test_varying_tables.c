@@ -11,6 +11,7 @@
 #include "kerning/write.h"
 #include "layout/gdef.h"
 #include "layout/lookup_groups.h"
+#include "layout/open.h"
 #include "sfnt/sfnt.h"
 #include "support/blending.h"
 #include "support/check.h"
