@@ -1,5 +1,5 @@
-"""Blended fonts in use: a page set by Chromium and one by LibreOffice, whose text must be as wide as HarfBuzz has it and whose
-ink must lie where the outlines say. Skipped where these programs are not installed."""
+"""Blended fonts in use: pages set by Chromium and by LibreOffice, in several scripts, whose text must be as wide as HarfBuzz has it
+and whose ink must lie where the outlines say. Skipped where these programs are not installed."""
 
 import base64
 import html
@@ -13,7 +13,8 @@ import cli
 import harfbuzz
 from fontTools import ttLib
 
-NEEDS = {'Chromium': ['chromium'], 'LibreOffice': ['soffice', 'pdffonts', 'pdftotext']}
+NEEDS = {'Chromium': ['chromium'], 'LibreOffice': ['soffice', 'pdffonts', 'pdftotext'],
+         'Scripts': ['chromium', 'ots-sanitize', 'soffice', 'pdffonts']}
 LINES = ('AVATAR Type', 'Wave To P.', 'Хлеба ГДА', 'Ώρα Λάθη')
 FAMILY = 'Between Ü'
 SIZE = 64
@@ -146,6 +147,90 @@ class LibreOffice(Typeset):
         for line in LINES:
             parts, words = words[:len(line.split())], words[len(line.split()):]
             self.assertAlmostEqual(parts[-1][1] - parts[0][0], self.width(line), delta=1, msg=line)
+
+
+class Scripts(Typeset):
+    """Blends and variable fonts of other scripts, half-way: taken by the sanitizer, fontTools, Chromium and LibreOffice."""
+
+    NOTO, TRUETYPE = cli.DEBIAN / 'truetype/noto', cli.DEBIAN / 'truetype'
+    PAIRS = {
+        'Arabic': (NOTO / 'NotoSansArabic-Regular.ttf', TRUETYPE / 'dejavu/DejaVuSans.ttf', 'السلام عليكم'),
+        'Devanagari': (TRUETYPE / 'lohit-devanagari/Lohit-Devanagari.ttf', TRUETYPE / 'annapurna/AnnapurnaSIL-Regular.ttf',
+                       'कर्म हिन्दी'),
+        'Thai': (TRUETYPE / 'tlwg/Garuda.ttf', TRUETYPE / 'tlwg/Norasi.ttf', 'สวัสดี น้ำ'),
+        'Khmer': (NOTO / 'NotoSansKhmer-Regular.ttf', NOTO / 'NotoSerifKhmer-Bold.ttf', 'ភាសា ខ្មែរ'),
+        'Code': (TRUETYPE / 'firacode/FiraCode-Regular.ttf', TRUETYPE / 'jetbrains-mono/JetBrainsMono-Bold.ttf',
+                 'a::b != c'),
+    }
+
+    def setUp(self):
+        cli.Test.setUp(self)
+        (self.path('fonts')).mkdir()
+        for name, (a, b, text) in self.PAIRS.items():
+            for command, place in (('blend', None), ('variable', 50)):
+                self.made(command, a, b, '--text', text, '--family', f'{name} {command}', '-o', f'fonts/{name}-{command}.ttf')
+
+    def fonts(self):
+        """Name, file, place on the axis or None, and text of each."""
+        for name, (_, _, text) in self.PAIRS.items():
+            yield f'{name} blend', self.path(f'fonts/{name}-blend.ttf'), None, text
+            yield f'{name} variable', self.path(f'fonts/{name}-variable.ttf'), 50, text
+
+    def test_accepted(self):
+        for name, path, _, _ in self.fonts():
+            with self.subTest(name):
+                subprocess.run(['ots-sanitize', path], check=True, stdout=subprocess.DEVNULL)
+                font = ttLib.TTFont(path)
+                for tag in font.keys():
+                    if hasattr(font[tag], 'table'):
+                        font[tag].table.ensureDecompiled(recurse=True)
+
+    def test_chromium(self):
+        faces, lines = '', ''
+        for name, path, place, text in self.fonts():
+            faces += f"@font-face {{ font-family: '{name}'; src: url({path.as_uri()}) }}\n"
+            varied = f"font-variation-settings: 'MORF' {place};" if place is not None else ''
+            lines += f'<div><span style="font-family: \'{name}\'; {varied}">{html.escape(text)}</span></div>\n'
+        page = self.write('page.html', f'''<!DOCTYPE html>
+            <html><head><meta charset="utf-8"><title>Scripts</title><style>{faces}
+            span {{ font-size: {SIZE}px; white-space: pre }}</style></head><body>{lines}<script>
+            Promise.all([...document.querySelectorAll('span')].map(async line => {{
+                const faces = await document.fonts.load('{SIZE}px ' + line.style.fontFamily, line.textContent);
+                return {{faces: faces.length, line}};
+            }})).then(all => document.body.dataset.measured = JSON.stringify(all.map(({{faces, line}}) =>
+                ({{faces, width: line.getBoundingClientRect().width}}))));</script></body></html>''')
+        dom = self.run_quietly('chromium', '--headless', '--no-sandbox', '--disable-gpu', '--no-first-run',
+                               '--disable-background-networking', '--disable-dev-shm-usage', '--allow-file-access-from-files',
+                               '--virtual-time-budget=5000', f'--user-data-dir={self.path("profile")}', '--dump-dom',
+                               page.as_uri())
+        measured = json.loads(html.unescape(re.search('data-measured="([^"]*)"', dom)[1]))
+        for found, (name, path, place, text) in zip(measured, self.fonts(), strict=True):
+            with harfbuzz.Font(path, place) as font:
+                width = sum(advance for _, advance, _, _ in font.shape(text))
+            self.assertEqual(found['faces'], 1, name)
+            self.assertAlmostEqual(found['width'], width * SIZE / ttLib.TTFont(path)['head'].unitsPerEm, delta=1, msg=name)
+
+    def test_libreoffice(self):
+        spaces = ' '.join(f'xmlns:{name}="urn:oasis:names:tc:opendocument:xmlns:{where}:1.0"' for name, where in (
+            ('office', 'office'), ('style', 'style'), ('text', 'text'), ('fo', 'xsl-fo-compatible'), ('svg', 'svg-compatible')))
+        fonts = [(name, text) for name, _, _, text in self.fonts()]
+        faces = ''.join(f'<style:font-face style:name="{name}" svg:font-family="\'{name}\'"/>' for name, _ in fonts)
+        styles = ''.join(f'<style:style style:name="P{i}" style:family="paragraph"><style:text-properties '
+                         f'style:font-name="{name}" style:font-name-complex="{name}"/></style:style>'
+                         for i, (name, _) in enumerate(fonts))
+        lines = ''.join(f'<text:p text:style-name="P{i}">{html.escape(text)}</text:p>' for i, (_, text) in enumerate(fonts))
+        document = self.write('page.fodt', f'''<?xml version="1.0" encoding="UTF-8"?>
+            <office:document {spaces} office:version="1.3" office:mimetype="application/vnd.oasis.opendocument.text">
+            <office:font-face-decls>{faces}</office:font-face-decls><office:automatic-styles>{styles}</office:automatic-styles>
+            <office:body><office:text>{lines}</office:text></office:body></office:document>''')
+        configuration = self.write('fonts.conf', f'''<?xml version="1.0"?><!DOCTYPE fontconfig SYSTEM "fonts.dtd">
+            <fontconfig><dir>{self.path('fonts')}</dir><cachedir>{self.path('cache')}</cachedir></fontconfig>''')
+        self.run_quietly('soffice', f'-env:UserInstallation={self.path("profile").as_uri()}', '--headless', '--convert-to',
+                         'pdf', document, FONTCONFIG_FILE=configuration)
+        embedded = self.run_quietly('pdffonts', 'page.pdf')
+        for name, path, _, _ in self.fonts():
+            postscript = ttLib.TTFont(path)['name'].getDebugName(6)
+            self.assertRegex(embedded, rf'(?m)^[A-Z]{{6}}\+{re.escape(postscript)} ')
 
 
 if __name__ == '__main__':
