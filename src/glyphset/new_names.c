@@ -6,12 +6,13 @@
 #include "geometry/limits.h"
 #include "source/glyph_names.h"
 
-/* Letters, digits, dots and underscores; a digit or a dot does not come first. */
-static bool is_safe(const char *name) {
-    static const char safe[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._";
+/* A PostScript name: visible ASCII without the signs that end one (PostScript Language Reference, 3.2.1). */
+static bool is_name(const char *name) {
     size_t length = strlen(name);
-    if (length > MT_GLYPH_NAME_MAX || strspn(name, safe) != length) return false;
-    return !strchr("0123456789.", *name);
+    if (length == 0 || length > MT_GLYPH_NAME_MAX) return false;
+    for (const char *p = name; *p; p++)
+        if (*p <= ' ' || *p > '~' || strchr("()<>[]{}/%", *p)) return false;
+    return true;
 }
 
 /* Names in use, by their hashes: a table with open addressing, at most half full. */
@@ -62,7 +63,7 @@ static mt_status make_names(const mt_charset *charset, const char *const *own, m
     claim(&used, names[0]);
     for (int i = 1; i < charset->primary_count; i++) {
         const char *name = own[charset->glyphs[i].a];
-        if (name && is_safe(name) && claim(&used, name)) names[i] = name;
+        if (name && is_name(name) && claim(&used, name)) names[i] = name;
     }
     mt_status status = MT_OK;
     for (int i = 0; i < charset->glyph_count && status == MT_OK; i++)
