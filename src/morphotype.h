@@ -149,9 +149,15 @@ typedef void (*mt_warning)(const char *line, void *user);
  * on rights, and silence is none. MT_NO_MEMORY. */
 MT_API mt_status mt_blend_warnings(const mt_blend *blend, mt_warning call, void *user);
 
-/* Keeps only these characters (code points in any order), for a strip or a subset; count 0 means all shared
- * ones. */
+/* Keeps only these characters (code points in any order), for a strip or a subset, and the forms that shaping makes of them
+ * by itself: joined letters, ligatures, but no small capitals; count 0 means all shared ones and all forms. */
 MT_API mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count);
+/* Whether the forms are kept, too, that text has to ask for by a feature, whatever characters are set. */
+MT_API void mt_blend_set_alternates(mt_blend *blend, bool alternates);
+/* Called when fonts of set characters leave such forms out: how many glyphs, and the tags of the features that lead to them, with
+ * commas between; they last as long as the call. */
+typedef void (*mt_left_out_noted)(int glyphs, const char *features, void *user);
+MT_API void mt_blend_on_left_out(mt_blend *blend, mt_left_out_noted call, void *user);
 
 typedef enum mt_glyph_set {
     MT_GLYPHS_BOTH,  /* those that both fonts have */
@@ -213,6 +219,8 @@ MT_API mt_status mt_variable_set_family(mt_variable *variable, const char *name)
 MT_API mt_status mt_variable_set_style(mt_variable *variable, const char *name);
 MT_API mt_status mt_variable_warnings(const mt_variable *variable, mt_warning call, void *user);
 MT_API mt_status mt_variable_set_chars(mt_variable *variable, const uint32_t *code_points, int count);
+MT_API void mt_variable_set_alternates(mt_variable *variable, bool alternates);
+MT_API void mt_variable_on_left_out(mt_variable *variable, mt_left_out_noted call, void *user);
 MT_API void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set);
 MT_API int mt_variable_unblended(const mt_variable *variable);
 

@@ -38,6 +38,7 @@ static const option_row rows[] = {
     {'Y', false, "style", "NAME[,NAME...]", "the new font's style, such as SemiBold Italic; one for each T"},
     {'G', false, "glyphs", "both|first",
      "those of both fonts, or all of the first's, unblended where need be"},
+    {'E', false, "alternates", NULL, "keep forms that text asks for (small capitals ...) of --text, --chars"},
     {'X', false, "axis", "TAG=FROM..TO", "the axis, and what users set for the first font and for the last"},
     {'A', false, "avar", "V:P[,V:P...]", "at V on the axis the font stands at P, both from 0 to 100"},
     {'J', false, "json", NULL, "data: on stdout, or into FILE when that ends in .json"},
@@ -266,6 +267,7 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'Y': return read_styles(options, argument);
     case 'X': return read_axis(options, argument);
     case 'G': return read_glyphs(options, argument);
+    case 'E': return options->alternates = true, GO_ON;
     case 'A': return read_map(options, argument);
     case 'H': return options->hints_file = argument, GO_ON;
     case 'J': return options->json = true, GO_ON;

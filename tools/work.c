@@ -222,6 +222,7 @@ static int make_blend(cli_work *work) {
     mt_status status = mt_blend_new(work->fonts[0], work->fonts[1], &options->params, &work->blend);
     if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
     if (status == MT_OK) mt_blend_set_glyphs(work->blend, options->glyphs);
+    if (status == MT_OK) mt_blend_set_alternates(work->blend, options->alternates);
     if (status == MT_OK && options->family) status = mt_blend_set_family(work->blend, options->family);
     if (status == MT_OK) status = mt_blend_set_styles(work->blend, options->styles, options->style_count);
     if (status == MT_OK && work->chosen.count > 0)
@@ -239,6 +240,7 @@ static int make_variable(cli_work *work) {
     mt_status status = mt_variable_new(work->fonts, options->font_count, &options->params, &work->variable);
     if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
     if (status == MT_OK) mt_variable_set_glyphs(work->variable, options->glyphs);
+    if (status == MT_OK) mt_variable_set_alternates(work->variable, options->alternates);
     if (status == MT_OK && options->family) status = mt_variable_set_family(work->variable, options->family);
     if (status == MT_OK && options->style_count)
         status = mt_variable_set_style(work->variable, options->styles[0]);
@@ -285,9 +287,20 @@ static void warn(const char *line, void *user) {
     say("%s", line);
 }
 
+/* An mt_left_out_noted; is called before the first glyph is made. */
+static void say_left_out(int glyphs, const char *features, void *user) {
+    (void)user;
+    say("%d glyph%s left out that text has to ask for (%s): --alternates keeps %s", glyphs,
+        glyphs == 1 ? "" : "s", features, glyphs == 1 ? "it" : "them");
+}
+
 mt_status work_warn(const cli_work *work) {
     if (work->options->quiet) return MT_OK;
-    if (work->variable) return mt_variable_warnings(work->variable, warn, NULL);
+    if (work->variable) {
+        mt_variable_on_left_out(work->variable, say_left_out, NULL);
+        return mt_variable_warnings(work->variable, warn, NULL);
+    }
+    mt_blend_on_left_out(work->blend, say_left_out, NULL);
     return mt_blend_warnings(work->blend, warn, NULL);
 }
 

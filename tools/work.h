@@ -38,7 +38,8 @@ int characters_choose(const cli_options *options, mt_font *const *fonts, int cou
 int work_begin(const cli_options *options, cli_work *work);
 /* The same of all fonts' variable font. */
 int work_begin_variable(const cli_options *options, cli_work *work);
-/* Says what is to be known before a font goes out, of sources and tables that are left out. MT_NO_MEMORY. */
+/* Says what is to be known before a font goes out, of sources and tables that are left out; and, as soon as that is known, which
+ * forms are. MT_NO_MEMORY. */
 mt_status work_warn(const cli_work *work);
 /* Says which glyphs could not be blended and which had no partner, once all fonts are made. COULD_NOT with --strict and any of them,
  * otherwise DONE. */

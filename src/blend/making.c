@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/memory.h"
 #include "glyphset/new_names.h"
 #include "sfnt/sfnt.h"
 #include "write/extent.h"
@@ -39,6 +40,22 @@ static void note_unblended(const mt_making *making) {
         const mt_glyph_note note = note_of(making, i, -1, MT_NO_GLYPH);
         row->kept(&note, row->kept_user);
     }
+}
+
+/* The tags of the features, each of four characters, with ", " between them. */
+static mt_status note_left_out(const mt_making *making) {
+    const mt_row *row = making->row;
+    const mt_charset *charset = &making->set.charset;
+    if (!row->left_out || charset->left_count == 0) return MT_OK;
+    char *text = mt_new((size_t)charset->left_tag_count + 1, 6), *end = text;
+    if (!text) return MT_NO_MEMORY;
+    for (int i = 0; i < charset->left_tag_count; i++) {
+        if (i) *end++ = ',', *end++ = ' ';
+        for (int shift = 24; shift >= 0; shift -= 8) *end++ = (char)(charset->left_tags[i] >> shift & 0xFF);
+    }
+    row->left_out(charset->left_count, text, row->left_out_user);
+    mt_free(text);
+    return MT_OK;
 }
 
 /* ---- what there is to make ----------------------------------------------------------------------------- */
@@ -78,7 +95,7 @@ static mt_status take_layout(mt_making *making) {
 }
 
 mt_status mt_making_begin_font(mt_making *making, mt_row *row) {
-    mt_charset_request request = {row->wanted, row->wanted_count, row->set};
+    mt_charset_request request = {row->wanted, row->wanted_count, row->set, row->alternates};
     mt_status status = mt_making_begin(making, row, &request);
     if (status != MT_OK) return status;
     row->unblended = making->set.charset.unblended_count;
@@ -86,7 +103,7 @@ mt_status mt_making_begin_font(mt_making *making, mt_row *row) {
     if (status == MT_OK) status = order_glyphs(making);
     if (status == MT_OK) status = take_layout(making);
     if (status == MT_OK) note_unblended(making);
-    return status;
+    return status == MT_OK ? note_left_out(making) : status;
 }
 
 void mt_making_end(mt_making *making) {

@@ -131,6 +131,11 @@ static void on_unblended(mt_row *row, mt_glyph_noted call, void *user) {
     row->kept_user = user;
 }
 
+static void on_left_out(mt_row *row, mt_left_out_noted call, void *user) {
+    row->left_out = call;
+    row->left_out_user = user;
+}
+
 /* ---- blends -------------------------------------------------------------------------------------------- */
 
 mt_status mt_blend_new(mt_font *a, mt_font *b, const mt_params *params, mt_blend **blend) {
@@ -163,6 +168,10 @@ void mt_blend_on_unblended(mt_blend *blend, mt_glyph_noted call, void *user) {
     on_unblended(&blend->row, call, user);
 }
 
+void mt_blend_on_left_out(mt_blend *blend, mt_left_out_noted call, void *user) {
+    on_left_out(&blend->row, call, user);
+}
+
 void mt_blend_on_progress(mt_blend *blend, mt_progress call, void *user) {
     blend->row.progress = call;
     blend->row.progress_user = user;
@@ -183,6 +192,10 @@ mt_status mt_blend_warnings(const mt_blend *blend, mt_warning call, void *user) 
 
 mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count) {
     return mt_row_set_chars(&blend->row, code_points, count);
+}
+
+void mt_blend_set_alternates(mt_blend *blend, bool alternates) {
+    blend->row.alternates = alternates;
 }
 
 void mt_blend_set_glyphs(mt_blend *blend, mt_glyph_set set) {
@@ -236,6 +249,10 @@ void mt_variable_on_unblended(mt_variable *variable, mt_glyph_noted call, void *
     on_unblended(&variable->row, call, user);
 }
 
+void mt_variable_on_left_out(mt_variable *variable, mt_left_out_noted call, void *user) {
+    on_left_out(&variable->row, call, user);
+}
+
 void mt_variable_on_progress(mt_variable *variable, mt_progress call, void *user) {
     variable->row.progress = call;
     variable->row.progress_user = user;
@@ -265,6 +282,10 @@ mt_status mt_variable_warnings(const mt_variable *variable, mt_warning call, voi
 
 mt_status mt_variable_set_chars(mt_variable *variable, const uint32_t *code_points, int count) {
     return mt_row_set_chars(&variable->row, code_points, count);
+}
+
+void mt_variable_set_alternates(mt_variable *variable, bool alternates) {
+    variable->row.alternates = alternates;
 }
 
 void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set) {

@@ -27,11 +27,13 @@ typedef struct mt_row {
     int wanted_count; /* 0: all characters */
     uint32_t *wanted;
     mt_glyph_set set;
-    int unblended; /* glyphs of the last fonts */
+    bool alternates; /* of wanted characters, also those that text has to ask for */
+    int unblended;   /* glyphs of the last fonts */
     mt_glyph_failed failed;
     mt_glyph_noted failure, kept; /* of glyphs that could not be blended, and of those without a partner */
+    mt_left_out_noted left_out;
     mt_progress progress;
-    void *failed_user, *failure_user, *kept_user, *progress_user;
+    void *failed_user, *failure_user, *kept_user, *left_out_user, *progress_user;
     pthread_mutex_t lock;
 } mt_row;
 

@@ -218,6 +218,19 @@ static mt_status list_variants(const mt_lister *lister, mt_charset *charset) {
     return MT_OK;
 }
 
+/* Forms that no pair keeps for want of being asked for them. */
+static void count_left_out(const mt_lister *lister, mt_charset *charset) {
+    const mt_left_out *first = &lister->pairs[0].left;
+    for (int i = 0; i < lister->room && first->glyphs; i++) {
+        bool left = !lister->primaries[i].of;
+        for (int k = 0; k + 1 < lister->count; k++)
+            left = left && (lister->pairs[k].kept[i] || lister->pairs[k].left.glyphs[i]);
+        charset->left_count += left;
+    }
+    charset->left_tag_count = first->tag_count;
+    charset->left_tags = first->tags;
+}
+
 /* ---- the whole ------------------------------------------------------------------------------------------- */
 
 mt_status mt_row_glyphs_make(mt_font *const *fonts, int count, const mt_charset_request *request,
@@ -234,6 +247,7 @@ mt_status mt_row_glyphs_make(mt_font *const *fonts, int count, const mt_charset_
     if (status == MT_OK) status = take_glyphs(&lister, &made);
     if (status == MT_OK) status = map_chars(&lister, &made.charset);
     if (status == MT_OK) status = list_variants(&lister, &made.charset);
+    if (status == MT_OK) count_left_out(&lister, &made.charset);
     if (status == MT_OK) *glyphs = made;
     return status;
 }

@@ -20,6 +20,9 @@ typedef struct mt_charset {
     int glyph_count, primary_count;
     mt_pairing *glyphs;
     int unblended_count; /* of the glyphs without a partner */
+    int left_count;      /* of the first font's glyphs that only features lead to which are not asked for */
+    int left_tag_count;  /* of these features */
+    const uint32_t *left_tags;
     int char_count;
     mt_char *chars; /* ascending */
     int variant_count;

@@ -18,6 +18,7 @@ typedef struct mt_charset_request {
     const uint32_t *wanted; /* only these code points, in any order, and their forms */
     int count;              /* 0: all */
     mt_glyph_set set;
+    bool alternates; /* of wanted code points, also the forms that text has to ask for */
 } mt_charset_request;
 
 /* The characters of both fonts, or of A, all or those wanted; and those of A that HarfBuzz takes them apart into, also where B

@@ -6,6 +6,8 @@
 
 #include <stdlib.h>
 
+enum { FRACTION_SLASH = 0x2044 };
+
 /* ---- sequences ------------------------------------------------------------------------------------------ */
 
 /* Those of both fonts, or all of A's, of characters that are taken in. */
@@ -80,6 +82,15 @@ static mt_status pair_glyphs(mt_font *a, mt_font *b, mt_codes *wanted, const mt_
     return status == MT_OK ? match->status : status;
 }
 
+/* What A's substitutions make of the glyphs that are kept. Only of wanted characters there are forms that nobody asks for. */
+static mt_status keep_forms(const mt_charset_request *request, const mt_gsub *gsub, mt_arena *arena,
+                            mt_font_pair *pair) {
+    bool fractions = mt_codes_find(&pair->codes, FRACTION_SLASH) != NULL;
+    if (!request->count || request->alternates) return mt_match_reach(gsub, pair->kept);
+    mt_status status = mt_match_reach_automatic(gsub, fractions, pair->kept);
+    return status == MT_OK ? mt_match_left_out(gsub, pair->kept, fractions, arena, &pair->left) : status;
+}
+
 static mt_status keep_glyphs(const mt_charset_request *request, const mt_gsub *gsub, mt_arena *arena,
                              mt_font_pair *pair) {
     const mt_glyph_match *match = &pair->match;
@@ -90,7 +101,7 @@ static mt_status keep_glyphs(const mt_charset_request *request, const mt_gsub *g
     for (int i = 0; i < pair->sequences.count; i++) kept[pair->sequences.list[i].a->glyph] = true;
     for (int i = 0; i < match->count_a && !request->count; i++)
         kept[i] |= request->set == MT_GLYPHS_FIRST || match->partner[i] != MT_NO_PARTNER;
-    return mt_match_reach(gsub, kept);
+    return keep_forms(request, gsub, arena, pair);
 }
 
 /* ---- the pair ------------------------------------------------------------------------------------------ */

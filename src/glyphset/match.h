@@ -58,3 +58,16 @@ mt_status mt_match_forms(mt_glyph_match *match, const mt_gsub *a, const mt_gsub 
 /* match_reach.c: adds to the glyphs that are `kept` (one for each of A's) what A's features make of them, all but 'aalt', which
  * only lists alternates. MT_NO_MEMORY. */
 mt_status mt_match_reach(const mt_gsub *gsub, bool *kept);
+/* The same by the features alone that text has without asking for them (feature_tags.h), or that a language requires. */
+mt_status mt_match_reach_automatic(const mt_gsub *gsub, bool fractions, bool *kept);
+
+/* Glyphs that only other features lead to, and these features. */
+typedef struct mt_left_out {
+    bool *glyphs; /* of each of A's glyphs */
+    int tag_count;
+    uint32_t *tags; /* in the font's order, each once */
+} mt_left_out;
+
+/* Of the glyphs that mt_match_reach would add to those that mt_match_reach_automatic has left; in the arena. MT_NO_MEMORY. */
+mt_status mt_match_left_out(const mt_gsub *gsub, const bool *kept, bool fractions, mt_arena *arena,
+                            mt_left_out *left);

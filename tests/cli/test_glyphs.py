@@ -114,7 +114,7 @@ class Sequences(cli.Test):
     SANS, SERIF = (cli.DEBIAN / f'opentype/noto/Noto{name}.ttc' for name in ('SansCJK-Bold', 'SerifCJK-Regular'))
 
     def test_of_both_fonts(self):
-        said = self.made('blend', self.SANS, self.SERIF, '--text', '、辻葛飾一A', '-o', 'x.ttf')
+        said = self.made('blend', self.SANS, self.SERIF, '--text', '、辻葛飾一A', '--alternates', '-o', 'x.ttf')
         self.assertEqual(said, [])
         font, original = ttLib.TTFont(self.path('x.ttf')), ttLib.TTFont(self.SANS, fontNumber=0, lazy=True)
         new, old = (next(table for table in source['cmap'].tables if table.format == 14).uvsDict for source in (font, original))

@@ -30,6 +30,7 @@ typedef struct mt_word {
 typedef struct corpus {
     int count, left_out;
     mt_word words[WORDS_MAX];
+    bool asks; /* a word has features */
     int char_count;
     uint32_t chars[CHARS_MAX];
 } corpus;
@@ -69,6 +70,7 @@ static void add_word(run *this, const mt_word *like, const char *text) {
     if (words->count == WORDS_MAX) exit(1);
     words->words[words->count] = *like;
     words->words[words->count++].text = text;
+    words->asks |= like->feature_count > 0;
     for (const char *at = text; mt_utf8_next(&at, &c) && c;)
         if (words->char_count < CHARS_MAX) words->chars[words->char_count++] = c;
 }
@@ -156,6 +158,7 @@ static void make_blends(run *this) {
     size_t lengths[PLACES];
     check(mt_blend_new(this->a, this->b, &params, &blend), "blend");
     check(mt_blend_set_chars(blend, this->corpus.chars, this->corpus.char_count), "characters");
+    mt_blend_set_alternates(blend, this->corpus.asks);
     check(mt_blend_fonts(blend, places, PLACES, bytes, lengths), "fonts");
     for (int i = 0; i < PLACES; i++) this->fonts[i] = open_bytes(bytes[i], lengths[i]);
     mt_blend_free(blend);
@@ -168,6 +171,7 @@ static void make_variable(run *this) {
     size_t length;
     check(mt_variable_new((mt_font *[]){this->a, this->b}, 2, &params, &variable), "variable");
     check(mt_variable_set_chars(variable, this->corpus.chars, this->corpus.char_count), "characters");
+    mt_variable_set_alternates(variable, this->corpus.asks);
     check(mt_variable_font(variable, &bytes, &length), "variable font");
     for (int i = 0; i < PLACES; i++) {
         hb_variation_t at = {MT_AXIS_DEFAULT.tag, (float)(places[i] * 100)};
@@ -185,7 +189,8 @@ static void open_all(run *this, char *a, char *b) {
 }
 
 static void make_all(run *this) {
-    mt_charset_request request = {this->corpus.chars, this->corpus.char_count, MT_GLYPHS_BOTH};
+    mt_charset_request request = {
+        .wanted = this->corpus.chars, .count = this->corpus.char_count, .alternates = this->corpus.asks};
     check(mt_charset_make(this->a, this->b, &request, &this->arena, &this->charset), "characters");
     make_blends(this);
     make_variable(this);

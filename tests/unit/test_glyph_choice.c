@@ -148,7 +148,7 @@ static void check_texts(mt_font *a, mt_font *b, const typed *texts, int count) {
     uint32_t chars[CHARS_MAX];
     int all = list_chars(texts, count, chars);
     mt_params params = mt_params_default();
-    mt_charset_request request = {chars, all, MT_GLYPHS_BOTH};
+    mt_charset_request request = {.wanted = chars, .count = all, .alternates = true};
     mt_charset charset;
     mt_blend *blend;
     uint8_t *bytes;
@@ -156,6 +156,7 @@ static void check_texts(mt_font *a, mt_font *b, const typed *texts, int count) {
     mt_assert_ok(mt_charset_make(a, b, &request, &arena, &charset));
     mt_assert_ok(mt_blend_new(a, b, &params, &blend));
     mt_assert_ok(mt_blend_set_chars(blend, chars, all));
+    mt_blend_set_alternates(blend, true);
     mt_assert_ok(mt_blend_font(blend, 0.5, &bytes, &length));
     hb_blob_t *blob =
         hb_blob_create((const char *)bytes, (unsigned)length, HB_MEMORY_MODE_READONLY, NULL, NULL);
@@ -256,7 +257,7 @@ static void weights_of_a_family(void **state) {
     (void)state;
     mt_font *a, *b;
     mt_charset charset;
-    mt_charset_request request = {NULL, 0, MT_GLYPHS_BOTH};
+    mt_charset_request request = {.set = MT_GLYPHS_BOTH};
     mt_font_close(mt_test_font(NOTO "NotoSansCJK-Bold.ttc"));
     mt_font_close(mt_test_font(NOTO "NotoSansCJK-Regular.ttc"));
     mt_assert_ok(mt_font_open(NOTO "NotoSansCJK-Bold.ttc#2", &a));
@@ -384,7 +385,7 @@ static bool all_kept(hb_font_t *in_a, const mt_charset *charset, const typed *li
 static void check_random(const char *spec_a, const char *spec_b, int cases) {
     mt_font *a, *b;
     mt_charset charset;
-    mt_charset_request request = {NULL, 0, MT_GLYPHS_BOTH};
+    mt_charset_request request = {.set = MT_GLYPHS_BOTH};
     mt_assert_ok(mt_font_open(spec_a, &a));
     mt_assert_ok(mt_font_open(spec_b, &b));
     mt_assert_ok(mt_charset_make(a, b, &request, &arena, &charset));
@@ -422,7 +423,7 @@ static void as_many_as_a_font_holds(void **state) {
     (void)state;
     mt_font *a, *b;
     mt_charset charset;
-    mt_charset_request request = {NULL, 0, MT_GLYPHS_BOTH};
+    mt_charset_request request = {.set = MT_GLYPHS_BOTH};
     mt_font_close(mt_test_font(NOTO "NotoSansCJK-Bold.ttc"));
     mt_font_close(mt_test_font(NOTO "NotoSerifCJK-Regular.ttc"));
     mt_assert_ok(mt_font_open(NOTO "NotoSansCJK-Bold.ttc#2", &a));

@@ -47,7 +47,8 @@ static mt_font *open_font(const char *name, const char *chars, const mt_test_loo
 static mt_charset make(pair fonts, const char *wanted, mt_glyph_set set) {
     uint32_t codes[16];
     mt_charset charset;
-    mt_charset_request request = {codes, (int)strlen(wanted), set};
+    mt_charset_request request = {
+        .wanted = codes, .count = (int)strlen(wanted), .set = set, .alternates = true};
     for (int i = 0; i < request.count; i++) codes[i] = (unsigned char)wanted[i];
     mt_assert_ok(mt_charset_make(fonts.a, fonts.b, &request, &arena, &charset));
     mt_font_close(fonts.a);
@@ -205,6 +206,34 @@ static void wanted_of_the_first(void **state) {
     assert_int_equal(charset.unblended_count, 2);
 }
 
+/* Of wanted characters: what shaping makes by itself, from the start and in steps, and what a language requires; but nothing that
+ * text has to ask for, nor what becomes of that. */
+static void without_alternates(void **state) {
+    (void)state;
+    static const mt_test_lookup in_a[] = {
+        {"smcp", NULL, 1, "1 11,2 12"}, {"liga", NULL, 4, "1 2 13,2 3 14"}, {"calt", NULL, 1, "11 16,13 15"},
+        {"ss01", NULL, 6, "1 2 1 4"},   {"    ", NULL, 1, "2 17"},          {"salt", NULL, 3, "3 18 19"}};
+    uint32_t codes[] = {'a', 'b'};
+    for (int alternates = 0; alternates < 2; alternates++) {
+        mt_charset_request request = {.wanted = codes, .count = 2, .alternates = alternates};
+        mt_charset charset;
+        pair fonts = {open_font("a.ttf", "abcdef", in_a, 6, NULL),
+                      open_font("b.ttf", "abcdef", NULL, 0, NULL)};
+        mt_assert_ok(mt_charset_make(fonts.a, fonts.b, &request, &arena, &charset));
+        mt_font_close(fonts.a);
+        mt_font_close(fonts.b);
+        static const int by_itself[][2] = {{1, 1}, {2, 2}, {13, -1}, {15, -1}};
+        static const int all[][2] = {{1, 1},   {2, 2},   {11, -1}, {12, -1},
+                                     {13, -1}, {15, -1}, {16, -1}, {17, -1}};
+        assert_pairs(&charset, alternates ? all : by_itself, alternates ? 8 : 4);
+        assert_int_equal(charset.left_count, alternates ? 0 : 4);
+        assert_int_equal(charset.left_tag_count, alternates ? 0 : 2);
+        for (int i = 0; i < charset.left_tag_count; i++)
+            assert_int_equal(charset.left_tags[i],
+                             i ? MT_TAG('s', 's', '0', '1') : MT_TAG('s', 'm', 'c', 'p'));
+    }
+}
+
 /* A has one glyph for two characters, B has two: the second pair comes last, and the wanted character's comes first. */
 static void further_pairs(void **state) {
     (void)state;
@@ -222,7 +251,7 @@ static void further_pairs(void **state) {
         mt_bytes_free(bytes);
         pair fonts = {.b = open_font("b.ttf", "abc", NULL, 0, NULL)};
         mt_assert_ok(mt_font_open(path, &fonts.a));
-        mt_charset_request request = {codes, i, MT_GLYPHS_BOTH};
+        mt_charset_request request = {.wanted = codes, .count = i};
         mt_charset charset;
         mt_assert_ok(mt_charset_make(fonts.a, fonts.b, &request, &arena, &charset));
         mt_font_close(fonts.a);
@@ -248,7 +277,7 @@ static void names_are_safe_and_single(void **state) {
     names[6] = "50%";
     mt_charset charset;
     pair fonts = {open_font("a.ttf", "abcdef", NULL, 0, names), open_font("b.ttf", "abcdef", NULL, 0, NULL)};
-    mt_charset_request request = {NULL, 0, MT_GLYPHS_BOTH};
+    mt_charset_request request = {.set = MT_GLYPHS_BOTH};
     mt_assert_ok(mt_charset_make(fonts.a, fonts.b, &request, &arena, &charset));
     mt_assert_ok(mt_glyph_names_make(fonts.a, &charset, &arena, &made));
     static const char *const wanted[] = {".notdef", "glyph00001", "twice",  "uni0063",
@@ -269,7 +298,7 @@ enum { TYPES = sizeof every_type / sizeof *every_type };
 
 static mt_status make_all(mt_font *a, mt_font *b, mt_arena *own) {
     mt_charset charset;
-    mt_charset_request request = {NULL, 0, MT_GLYPHS_BOTH};
+    mt_charset_request request = {.set = MT_GLYPHS_BOTH};
     mt_layout_tables tables;
     const char **names;
     mt_status status = mt_charset_make(a, b, &request, own, &charset);
@@ -362,6 +391,7 @@ int main(void) {
         cmocka_unit_test(by_names),
         cmocka_unit_test(all_of_the_first),
         cmocka_unit_test(wanted_of_the_first),
+        cmocka_unit_test(without_alternates),
         cmocka_unit_test(further_pairs),
         cmocka_unit_test(names_are_safe_and_single),
         cmocka_unit_test(without_memory),
