@@ -55,6 +55,8 @@ typedef enum mt_status {
     MT_UNKNOWN_FORMAT, /* the output file's extension is none that can be written */
     MT_BAD_HINTS,      /* the hints file is malformed */
     MT_ENDLESS_LOOKUPS, /* lookups of GSUB or GPOS call each other in a circle, or make a text longer without end */
+    MT_NO_FEATURE,  /* the font has no substitution feature of that tag */
+    MT_BAD_FEATURE, /* a feature setting is malformed */
 } mt_status;
 
 /* One line of English, without a full stop; static storage. */
@@ -64,10 +66,14 @@ MT_API const char *mt_status_text(mt_status status);
 
 typedef struct mt_font mt_font;
 
-/* Opens FILE[#FACE][@AXIS=VALUE,…]: face FACE of a collection, counted from 0, at a place of a variable font
- * in user coordinates. Reads TrueType, CFF, CFF2, Type 1, collections, WOFF and WOFF2, through FreeType. */
+/* Opens FILE[#FACE][@AXIS=VALUE,…][:FEATURE[=VALUE],…]: face FACE of a collection, counted from 0, at a place of a variable
+ * font in user coordinates; its characters lead to the glyphs that the features of GSUB make of theirs, one by one. Reads TrueType, CFF, CFF2, Type 1, collections, WOFF and WOFF2, through FreeType. */
 MT_API mt_status mt_font_open(const char *spec, mt_font **font);
 MT_API void mt_font_close(mt_font *font); /* NULL is fine */
+
+/* From now on the font is as one without layout: no GSUB, GPOS, GDEF and kern, no kerning beside it, and no glyphs but those of
+ * its characters. What features of its spec made of these stays. */
+MT_API void mt_font_drop_layout(mt_font *font);
 
 /* The family name and the style name, UTF-8; belong to the font. */
 MT_API const char *mt_font_family(const mt_font *font);

@@ -102,7 +102,7 @@ static int open_row(inspection *this, int count) {
 static int run(cli_options *options) {
     inspection this = {.options = options};
     int outcome = check(options), count = options->fonts[1] ? 2 : 1;
-    for (int i = 0; outcome == DONE && i < count; i++) outcome = font_open(options->fonts[i], &this.fonts[i]);
+    if (outcome == DONE) outcome = fonts_open(options, this.fonts);
     if (outcome == DONE) outcome = characters_choose(options, this.fonts, count, &this.chosen);
     if (outcome == DONE) outcome = open_row(&this, count);
     this.what = (mt_inspection){.code_points = this.chosen.list,

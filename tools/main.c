@@ -19,9 +19,11 @@ static const cli_command *find(const char *name) {
 static int print_help(void) {
     puts("usage: morphotype COMMAND FONT FONT [OPTION...]\n\nMakes the fonts between two fonts.\n");
     for (int i = 0; i < COMMAND_COUNT; i++) printf("  %-10s %s\n", commands[i]->name, commands[i]->summary);
-    puts("\nA FONT is FILE[#FACE][@AXIS=VALUE,...]: a face of a collection, counted from 0, at a place of a "
-         "variable\n"
-         "font. Places between the fonts are T: 0 is the first font, 1 the second.\n"
+    puts("\nA FONT is FILE[#FACE][@AXIS=VALUE,...][:FEATURE,...]: a face of a collection, counted from 0, at "
+         "a place of\n"
+         "a variable font, its characters in the forms of these features. Places between the fonts are T: 0 "
+         "is the\n"
+         "first font, 1 the second.\n"
          "\n"
          "  morphotype COMMAND --help    a command's options\n"
          "  morphotype --version         the version\n"

@@ -39,6 +39,7 @@ static const option_row rows[] = {
     {'G', false, "glyphs", "both|first",
      "those of both fonts, or all of the first's, unblended where need be"},
     {'E', false, "alternates", NULL, "keep forms that text asks for (small capitals ...) of --text, --chars"},
+    {'L', false, "no-layout", NULL, "characters alone: no substitutions, kerning or marks of either font"},
     {'X', false, "axis", "TAG=FROM..TO", "the axis, and what users set for the first font and for the last"},
     {'A', false, "avar", "V:P[,V:P...]", "at V on the axis the font stands at P, both from 0 to 100"},
     {'J', false, "json", NULL, "data: on stdout, or into FILE when that ends in .json"},
@@ -268,6 +269,7 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'X': return read_axis(options, argument);
     case 'G': return read_glyphs(options, argument);
     case 'E': return options->alternates = true, GO_ON;
+    case 'L': return options->no_layout = true, GO_ON;
     case 'A': return read_map(options, argument);
     case 'H': return options->hints_file = argument, GO_ON;
     case 'J': return options->json = true, GO_ON;
@@ -330,6 +332,8 @@ int options_read(const cli_command *command, int argc, char **argv, cli_options 
         outcome = misuse(command->name, "--at and --steps exclude each other");
     if (outcome == GO_ON && options->text && options->chars_file)
         outcome = misuse(command->name, "--text and --chars exclude each other");
+    if (outcome == GO_ON && options->alternates && options->no_layout)
+        outcome = misuse(command->name, "--alternates and --no-layout exclude each other");
     return outcome == GO_ON ? read_fonts(command, argc - optind, argv + optind, options) : outcome;
 }
 

@@ -26,7 +26,7 @@ typedef struct cli_options {
     double size; /* 0: not given */
     int rows;    /* 0: not given */
     mt_glyph_set glyphs;
-    bool alternates, no_labels, json, strict, quiet, verbose;
+    bool alternates, no_layout, no_labels, json, strict, quiet, verbose;
     mt_params params;
 } cli_options;
 

@@ -39,7 +39,7 @@ const cli_command report_command = {
             "those that need a look. --text wants all of its characters in both fonts; of --chars those are "
             "left out that\n"
             "one font lacks. A glyph that cannot be blended is in the report.\n",
-    .takes = "otc",
+    .takes = "otcL",
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

@@ -76,7 +76,7 @@ const cli_command sheet_command = {
             "pages of PNG and SVG are OUT.png, OUT-2.png and so on. --text wants all of its characters in "
             "both fonts;\n"
             "of --chars those are left out that one font lacks.\n",
-    .takes = "oantczpS",
+    .takes = "oantczpSL",
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

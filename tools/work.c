@@ -40,10 +40,20 @@ int output_check(const char *path) {
     return status == MT_OK ? directory_check(path) : fail_status(path, status);
 }
 
-int font_open(const char *spec, mt_font **font) {
+static int open_font(const cli_options *options, const char *spec, mt_font **font) {
     errno = 0;
     mt_status status = mt_font_open(spec, font);
-    return status == MT_OK ? DONE : fail_status(spec, status);
+    if (status == MT_BAD_FEATURE) return misuse(options->command, "%s: %s", spec, mt_status_text(status));
+    if (status != MT_OK) return fail_status(spec, status);
+    if (options->no_layout) mt_font_drop_layout(*font);
+    return DONE;
+}
+
+int fonts_open(const cli_options *options, mt_font **fonts) {
+    int outcome = DONE;
+    for (int i = 0; i < options->font_count && outcome == DONE; i++)
+        outcome = open_font(options, options->fonts[i], &fonts[i]);
+    return outcome;
 }
 
 void work_name(const cli_options *options, char *text, size_t room) {
@@ -263,9 +273,7 @@ static int make_variable(cli_work *work) {
 /* Opens the fonts and chooses the characters. */
 static int open_fonts(const cli_options *options, cli_work *work) {
     *work = (cli_work){.options = options, .bar = progress_begin(options->quiet)};
-    int outcome = DONE;
-    for (int i = 0; i < options->font_count && outcome == DONE; i++)
-        outcome = font_open(options->fonts[i], &work->fonts[i]);
+    int outcome = fonts_open(options, work->fonts);
     if (outcome == DONE) explain(work);
     int asked = options->glyphs == MT_GLYPHS_FIRST ? 1 : options->font_count;
     return outcome == DONE ? characters_choose(options, work->fonts, asked, &work->chosen) : outcome;

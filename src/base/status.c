@@ -21,6 +21,8 @@ const char *mt_status_text(mt_status status) {
     case MT_CANNOT_WRITE: return "the file cannot be written";
     case MT_UNKNOWN_FORMAT: return "the file's extension is of no format that can be written";
     case MT_BAD_HINTS: return "the hints file is malformed";
+    case MT_NO_FEATURE: return "no such feature among the font's substitutions";
+    case MT_BAD_FEATURE: return "features are written TAG or TAG=N, with commas between, each once";
     case MT_ENDLESS_LOOKUPS:
         return "its lookups call each other in a circle, or make a text longer without end";
     }

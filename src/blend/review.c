@@ -151,6 +151,12 @@ static void review_metrics(const mt_reviewer *reviewer, const mt_font *font) {
     if (path) say(reviewer, &line);
 }
 
+static void review_features(const mt_reviewer *reviewer, const mt_font *font) {
+    mt_notice line = {0};
+    add(&line, "no character of %s has another form by these features", mt_font_spec(font));
+    if (mt_font_features_do_nothing(font)) say(reviewer, &line);
+}
+
 /* ---- all of it ----------------------------------------------------------------------------------------- */
 
 mt_status mt_review(mt_font *const *fonts, int count, const char *family, mt_warning call, void *user) {
@@ -160,6 +166,7 @@ mt_status mt_review(mt_font *const *fonts, int count, const char *family, mt_war
         review_embedding(&reviewer, fonts[i]);
         review_license(&reviewer, fonts[i]);
         review_metrics(&reviewer, fonts[i]);
+        review_features(&reviewer, fonts[i]);
         status = review_family(&reviewer, fonts[i]);
     }
     if (status == MT_OK) review_tables(&reviewer, fonts, count);

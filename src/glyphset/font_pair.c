@@ -99,7 +99,8 @@ static mt_status keep_glyphs(const mt_charset_request *request, const mt_gsub *g
     kept[0] = true;
     for (int i = 0; i < pair->codes.count; i++) kept[pair->codes.list[i].a] = true;
     for (int i = 0; i < pair->sequences.count; i++) kept[pair->sequences.list[i].a->glyph] = true;
-    for (int i = 0; i < match->count_a && !request->count; i++)
+    bool limited = request->count || mt_font_is_without_layout(match->a);
+    for (int i = 0; i < match->count_a && !limited; i++)
         kept[i] |= request->set == MT_GLYPHS_FIRST || match->partner[i] != MT_NO_PARTNER;
     return keep_forms(request, gsub, arena, pair);
 }

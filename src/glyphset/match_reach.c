@@ -3,8 +3,8 @@
 #include <hb-ot.h>
 #include <string.h>
 
-#include "gsub/face.h"
 #include "layout/feature_tags.h"
+#include "sfnt/layout_face.h"
 
 /* What a reach goes by: all features but 'aalt', or of them those that shaping turns on by itself. */
 typedef struct mt_reach {

@@ -4,8 +4,8 @@
 #include <hb.h>
 
 #include "base/memory.h"
-#include "gsub/face.h"
 #include "gsub/gsub.h"
+#include "sfnt/layout_face.h"
 #include "source/font.h"
 
 typedef struct mt_shaper {

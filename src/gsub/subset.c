@@ -3,8 +3,8 @@
 #include <hb-subset.h>
 #include <string.h>
 
-#include "gsub/face.h"
 #include "layout/lookup_builder.h"
+#include "sfnt/layout_face.h"
 #include "sfnt/sfnt.h"
 
 /* ---- what goes in -------------------------------------------------------------------------------------- */

@@ -34,8 +34,8 @@ typedef struct mt_names {
 
 int mt_font_units(const mt_font *font);        /* per em */
 const char *mt_font_spec(const mt_font *font); /* as it was opened */
-const char *
-mt_font_choice(const mt_font *font); /* of a face and axes, as the spec has it after the file's name; or "" */
+const char *mt_font_choice(
+    const mt_font *font); /* of a face, axes and features, as the spec has it after the file's name; or "" */
 void mt_font_metrics(const mt_font *font, mt_metrics *metrics);
 /* OS/2 usWidthClass of a width as 'wdth' has it, between the classes too. */
 double mt_width_class(double percent);
@@ -63,7 +63,13 @@ int mt_font_place(const mt_font *font, const int32_t **normalized);
 /* How many glyphs it has: at most MT_GLYPHS_MAX are counted. */
 int mt_font_glyph_count(const mt_font *font);
 
-/* The glyph that the character map has for a code point; 0 when there is none. */
+/* Whether mt_font_drop_layout was called. */
+bool mt_font_is_without_layout(const mt_font *font);
+/* Whether the font's spec has features and no character leads to another glyph by them. */
+bool mt_font_features_do_nothing(const mt_font *font);
+
+/* The glyph that the character map has for a code point, or that the features of the font's spec make of it; 0 when there is
+ * none. */
 uint32_t mt_font_mapped_glyph(const mt_font *font, uint32_t code_point);
 
 /* The glyph that text leads to: the mapped one, and in a symbol font, for a code up to U+00FF that is not mapped, that of

@@ -16,6 +16,11 @@
 
 typedef struct mt_kept mt_kept;
 
+/* The glyph that features make of a character's own. */
+typedef struct mt_form {
+    uint32_t code_point, glyph;
+} mt_form;
+
 struct mt_font {
     char *text; /* the spec as it was given */
     mt_spec spec;
@@ -39,6 +44,11 @@ struct mt_font {
     int64_t modified;
     uint16_t embedding;
     bool is_symbol;
+    bool without_layout;
+
+    /* features.c: characters that lead to another glyph than in the character map; ascending. */
+    int form_count;
+    mt_form *forms;
 
     /* metrics_file.c: the file beside a Type 1 font, NULL where none was looked for; and whether it could not be read. */
     char *metrics_path;
@@ -61,6 +71,11 @@ void mt_font_discard(mt_font *font);
 mt_status mt_font_set_axes(mt_font *font);
 /* The user coordinate that the spec sets an axis to; false when it sets none. */
 bool mt_font_axis(const mt_font *font, uint32_t tag, double *value);
+
+/* features.c: fills font->forms by the spec's features. MT_NO_FEATURE, MT_NO_MEMORY. */
+mt_status mt_font_read_features(mt_font *font);
+/* The glyph that a character leads to, whose glyph in the character map is `glyph`. */
+uint32_t mt_font_form(const mt_font *font, uint32_t code_point, uint32_t glyph);
 
 /* names.c: fills font->names. MT_NO_MEMORY. */
 mt_status mt_font_read_names(mt_font *font);

@@ -113,7 +113,7 @@ static mt_status write_kern(FT_Face face, mt_arena *arena, mt_bytes *kern) {
 }
 
 mt_status mt_font_kern(const mt_font *font, mt_arena *arena, mt_bytes *kern) {
-    bool attached = font->face && is_type1(font->face) && FT_HAS_KERNING(font->face);
+    bool attached = font->face && !font->without_layout && is_type1(font->face) && FT_HAS_KERNING(font->face);
     if (attached) return write_kern(font->face, arena, kern);
     return mt_font_table(font, MT_TAG('k', 'e', 'r', 'n'), arena, kern);
 }

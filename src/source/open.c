@@ -1,4 +1,4 @@
-/* Opening a font: the spec, the file, the face, the axes, the names, the figures. */
+/* Opening a font: the spec, the file, the face, the axes, the names, the figures, the features. */
 #include "source/handle.h"
 
 #include <errno.h>
@@ -79,6 +79,7 @@ static mt_status open_stages(const char *spec, mt_font *font) {
         status = mt_file_read(font->spec.path, MT_FONT_FILE_MAX, &font->bytes, &font->length);
     if (status == MT_OK) status = mt_font_guard(font, read_face, NULL);
     if (status == MT_NOT_A_FONT && mt_woff2_is(font->bytes, font->length)) status = read_unpacked(font);
+    if (status == MT_OK) status = mt_font_read_features(font);
     mt_arena_release(&font->scratch);
     return status;
 }
@@ -101,6 +102,7 @@ void mt_font_close(mt_font *font) {
     if (!font) return;
     mt_font_free_names(font);
     mt_font_discard(font);
+    mt_free(font->forms);
     mt_free(font->metrics_path);
     mt_free(font->metrics_bytes);
     mt_free(font->bytes);
@@ -141,7 +143,7 @@ static bool is_char(uint32_t code_point) {
 
 uint32_t mt_font_mapped_glyph(const mt_font *font, uint32_t code_point) {
     FT_UInt glyph = font->face && is_char(code_point) ? FT_Get_Char_Index(font->face, code_point) : 0;
-    return glyph < MT_GLYPHS_MAX ? glyph : 0;
+    return glyph < MT_GLYPHS_MAX ? mt_font_form(font, code_point, glyph) : 0;
 }
 
 uint32_t mt_font_glyph(const mt_font *font, uint32_t code_point) {

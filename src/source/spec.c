@@ -24,7 +24,7 @@ static bool is_file(const char *path) {
  * there is no such file. */
 static const char *split(const char *text, char *path) {
     for (size_t end = strlen(text); end > 0; end--) {
-        if (text[end] && text[end] != '#' && text[end] != '@') continue;
+        if (text[end] && !strchr("#@:", text[end])) continue;
         path[end] = '\0';
         if (is_file(path)) return text + end;
     }
@@ -43,7 +43,7 @@ static bool read_face(const char **text, int *face) {
     }
     *text = c;
     *face = number;
-    return *c == '\0' || *c == '@';
+    return *c == '\0' || *c == '@' || *c == ':';
 }
 
 /* Reads the tag up to its '=': one to four printable characters. */
@@ -65,22 +65,82 @@ static bool is_set(const mt_spec *spec, uint32_t tag) {
     return false;
 }
 
-/* Reads @AXIS=VALUE,… to the end of the text. */
-static bool read_axes(const char *text, mt_spec *spec) {
+/* Reads @AXIS=VALUE,… to the end of the text or the features. */
+static bool read_axes(const char **text, mt_spec *spec) {
+    const char *c = *text;
     do {
         mt_axis_setting axis;
-        text++; /* the @, then each comma */
+        c++; /* the @, then each comma */
         if (spec->axis_count == MT_SPEC_AXES) return false;
-        if (!read_tag(&text, &axis.tag) || !mt_decimal_next(&text, &axis.value)) return false;
+        if (!read_tag(&c, &axis.tag) || !mt_decimal_next(&c, &axis.value)) return false;
         if (is_set(spec, axis.tag)) return false;
         spec->axes[spec->axis_count++] = axis;
+    } while (*c == ',');
+    *text = c;
+    return *c == '\0' || *c == ':';
+}
+
+/* ---- features ------------------------------------------------------------------------------------------ */
+
+/* Reads a tag up to what is not part of it: four printable characters at most. */
+static bool read_feature_tag(const char **text, uint32_t *tag) {
+    const char *c = *text;
+    *tag = 0;
+    for (int i = 0; i < 4; i++) {
+        bool named = *c > ' ' && *c <= '~' && !strchr("=,:", *c);
+        *tag = *tag << 8 | (uint32_t)(named ? *c++ : ' ');
+    }
+    bool read = c > *text;
+    *text = c;
+    return read;
+}
+
+/* Moves past a word that ends a setting, if it is this one. */
+static bool skip_word(const char **text, const char *word) {
+    size_t length = strlen(word);
+    if (strncmp(*text, word, length) != 0) return false;
+    *text += length;
+    return true;
+}
+
+/* Reads on, off or a whole number of 8 bits, which are as many as HarfBuzz has. */
+static bool read_feature_value(const char **text, uint32_t *value) {
+    const char *c = *text;
+    *value = 1;
+    if (skip_word(text, "on")) return true;
+    *value = 0;
+    if (skip_word(text, "off")) return true;
+    for (; is_digit(*c) && *value <= UINT8_MAX; c++) *value = 10 * *value + (uint32_t)(*c - '0');
+    bool read = c > *text && *value <= UINT8_MAX;
+    *text = c;
+    return read;
+}
+
+static bool has_feature(const mt_spec *spec, uint32_t tag) {
+    for (int i = 0; i < spec->feature_count; i++)
+        if (spec->features[i].tag == tag) return true;
+    return false;
+}
+
+/* Reads :FEATURE[=VALUE],… to the end of the text. */
+static bool read_features(const char *text, mt_spec *spec) {
+    do {
+        mt_feature_setting feature = {.value = 1};
+        text++; /* the colon, then each comma */
+        if (spec->feature_count == MT_SPEC_FEATURES || !read_feature_tag(&text, &feature.tag)) return false;
+        if (*text == '=' && (text++, !read_feature_value(&text, &feature.value))) return false;
+        if (has_feature(spec, feature.tag)) return false;
+        spec->features[spec->feature_count++] = feature;
     } while (*text == ',');
     return *text == '\0';
 }
 
+/* ---- the spec ------------------------------------------------------------------------------------------ */
+
 static mt_status read_rest(const char *rest, mt_spec *spec) {
     if (*rest == '#' && !read_face(&rest, &spec->face)) return MT_NO_FACE;
-    if (*rest == '@' && !read_axes(rest, spec)) return MT_BAD_AXIS;
+    if (*rest == '@' && !read_axes(&rest, spec)) return MT_BAD_AXIS;
+    if (*rest == ':' && !read_features(rest, spec)) return MT_BAD_FEATURE;
     return MT_OK;
 }
 

@@ -36,6 +36,7 @@ static mt_status read_selector(mt_font *font, uint32_t selector, mt_sequence_rea
          chars++) {
         FT_UInt glyph = FT_Face_GetCharVariantIndex(font->face, *chars, selector);
         bool by_default = FT_Face_GetCharVariantIsDefault(font->face, *chars, selector) == 1;
+        if (by_default) glyph = mt_font_mapped_glyph(font, (uint32_t)*chars);
         if (glyph && glyph < (FT_UInt)mt_font_glyph_count(font))
             status = add(reading, (mt_variation_sequence){selector, (uint32_t)*chars, glyph, by_default});
     }

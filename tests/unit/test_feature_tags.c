@@ -1,6 +1,6 @@
 /* The features that text has without asking for them, against the lookups of HarfBuzz's own shaping plans. */
 #include "layout/feature_tags.h"
-#include "gsub/face.h"
+#include "sfnt/layout_face.h"
 #include "support/check.h"
 #include "support/gsub.h"
 

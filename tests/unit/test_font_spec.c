@@ -142,6 +142,66 @@ static void too_many_axes(void **state) {
     mt_spec_clear(&spec);
 }
 
+/* The features as tag=value, behind the file, the face and the axes. */
+static void assert_features(const char *text, int face, int axis_count, const char *features) {
+    mt_spec spec;
+    char read[256] = "";
+    mt_assert_ok(parse(text, &spec));
+    assert_string_equal(spec.path, mt_sample_path(&arena, directory, "font.ttf"));
+    assert_int_equal(spec.face, face);
+    assert_int_equal(spec.axis_count, axis_count);
+    for (int i = 0; i < spec.feature_count; i++) {
+        uint32_t tag = spec.features[i].tag;
+        size_t length = strlen(read);
+        snprintf(read + length, sizeof read - length, "%c%c%c%c=%u ", (int)(tag >> 24),
+                 (int)(tag >> 16 & 255), (int)(tag >> 8 & 255), (int)(tag & 255),
+                 (unsigned)spec.features[i].value);
+    }
+    assert_string_equal(read, features);
+    mt_spec_clear(&spec);
+}
+
+static void features(void **state) {
+    (void)state;
+    assert_features("font.ttf:lnum,ss02", 0, 0, "lnum=1 ss02=1 ");
+    assert_features("font.ttf#2:salt=2", 2, 0, "salt=2 ");
+    assert_features("font.ttf@wght=1,wdth=-.5:cv01=255,liga=0", 0, 2, "cv01=255 liga=0 ");
+    assert_features("font.ttf#1@a=2:x=on,yy=off", 1, 1, "x   =1 yy  =0 ");
+}
+
+static void names_with_colons(void **state) {
+    (void)state;
+    mt_sample_save(mt_sample_path(&arena, directory, "C:font.ttf"), "x", 1);
+    mt_sample_save(mt_sample_path(&arena, directory, "twin:lnum"), "x", 1);
+    assert_reads("C:font.ttf", "C:font.ttf", 0, "");
+    assert_reads("C:font.ttf#1@a=1:lnum", "C:font.ttf", 1, "a   =65536 ");
+    assert_reads("twin:lnum", "twin:lnum", 0, "");
+    assert_reads("twin:onum", "twin", 0, "");
+}
+
+static void bad_features(void **state) {
+    (void)state;
+    static const char *const specs[] = {
+        "font.ttf:",         "font.ttf:lnum,",     "font.ttf:,lnum",     "font.ttf:lnum,,ss01",
+        "font.ttf:lnum=",    "font.ttf:lnum=x",    "font.ttf:lnum=1.5",  "font.ttf:lnum=256",
+        "font.ttf:lnum=-1",  "font.ttf:lnum ",     "font.ttf:=1",        "font.ttf:lnum=only",
+        "font.ttf:ligature", "font.ttf:lnum,lnum", "font.ttf:lnum:ss01", "font.ttf:ünum",
+        "font.ttf:lnum#1",   "font.ttf:lnum@a=1",  "font.ttf@a=1:",      "font.ttf#1:a=99999999999",
+    };
+    for (size_t i = 0; i < sizeof specs / sizeof *specs; i++) assert_fails(specs[i], MT_BAD_FEATURE);
+    char text[1024] = "font.ttf:A0";
+    for (int i = 1; i < MT_SPEC_FEATURES + 1; i++) {
+        size_t length = strlen(text);
+        snprintf(text + length, sizeof text - length, ",A%d", i);
+    }
+    assert_fails(text, MT_BAD_FEATURE);
+    *strrchr(text, ',') = '\0';
+    mt_spec spec;
+    mt_assert_ok(parse(text, &spec));
+    assert_int_equal(spec.feature_count, MT_SPEC_FEATURES);
+    mt_spec_clear(&spec);
+}
+
 static void missing_files(void **state) {
     (void)state;
     mt_spec spec;
@@ -172,9 +232,10 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(whole_specs),      cmocka_unit_test(values_are_rounded),
         cmocka_unit_test(names_with_signs), cmocka_unit_test(the_longest_name_wins),
-        cmocka_unit_test(bad_faces),        cmocka_unit_test(bad_axes),
-        cmocka_unit_test(too_many_axes),    cmocka_unit_test(missing_files),
-        cmocka_unit_test(no_memory),
+        cmocka_unit_test(features),         cmocka_unit_test(names_with_colons),
+        cmocka_unit_test(bad_features),     cmocka_unit_test(bad_faces),
+        cmocka_unit_test(bad_axes),         cmocka_unit_test(too_many_axes),
+        cmocka_unit_test(missing_files),    cmocka_unit_test(no_memory),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

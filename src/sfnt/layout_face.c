@@ -1,4 +1,4 @@
-#include "gsub/face.h"
+#include "sfnt/layout_face.h"
 
 #include <string.h>
 
