@@ -158,6 +158,11 @@ MT_API mt_status mt_blend_warnings(const mt_blend *blend, mt_warning call, void 
 /* Keeps only these characters (code points in any order), for a strip or a subset, and the forms that shaping makes of them
  * by itself: joined letters, ligatures, but no small capitals; count 0 means all shared ones and all forms. */
 MT_API mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count);
+/* Glyphs that go together, before all others: `count` rows of a glyph of the first font and one of the second, by their numbers
+ * in the fonts, in any order. The characters of the first font that lead there are then characters of both. They count for hints
+ * that are set later. Copied; count 0 means none. MT_BAD_PARAMETER for two rows with the same glyph of the first font, for
+ * glyph 0, and for a glyph that a font has not; MT_NO_MEMORY. */
+MT_API mt_status mt_blend_set_pairs(mt_blend *blend, const uint32_t *glyphs, int count);
 /* Whether the forms are kept, too, that text has to ask for by a feature, whatever characters are set. */
 MT_API void mt_blend_set_alternates(mt_blend *blend, bool alternates);
 /* Called when fonts of set characters leave such forms out: how many glyphs, and the tags of the features that lead to them, with
@@ -225,6 +230,8 @@ MT_API mt_status mt_variable_set_family(mt_variable *variable, const char *name)
 MT_API mt_status mt_variable_set_style(mt_variable *variable, const char *name);
 MT_API mt_status mt_variable_warnings(const mt_variable *variable, mt_warning call, void *user);
 MT_API mt_status mt_variable_set_chars(mt_variable *variable, const uint32_t *code_points, int count);
+MT_API mt_status mt_variable_set_pairs(mt_variable *variable, const uint32_t *glyphs,
+                                       int count); /* a row has a glyph of each font */
 MT_API void mt_variable_set_alternates(mt_variable *variable, bool alternates);
 MT_API void mt_variable_on_left_out(mt_variable *variable, mt_left_out_noted call, void *user);
 MT_API void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set);

@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "hints_file.h"
 #include "messages.h"
+#include "pairs_file.h"
 #include "picture/canvas.h"
 #include "picture/picture.h"
 #include "work.h"
@@ -17,6 +18,7 @@
 typedef struct inspection {
     const cli_options *options;
     mt_font *fonts[2]; /* the second NULL where there is one */
+    mt_given_pairs pairs;
     characters chosen;
     mt_row row; /* of these fonts; all zero until it is open */
     mt_inspection what;
@@ -96,6 +98,7 @@ static int set_hints(inspection *this) {
 
 static int open_row(inspection *this, int count) {
     mt_status status = mt_row_open(this->fonts, count, &this->options->params, &this->row);
+    if (status == MT_OK) status = mt_row_set_pairs(&this->row, this->pairs.glyphs, this->pairs.count);
     return status == MT_OK ? set_hints(this) : fail_status(this->options->command, status);
 }
 
@@ -103,7 +106,8 @@ static int run(cli_options *options) {
     inspection this = {.options = options};
     int outcome = check(options), count = options->fonts[1] ? 2 : 1;
     if (outcome == DONE) outcome = fonts_open(options, this.fonts);
-    if (outcome == DONE) outcome = characters_choose(options, this.fonts, count, &this.chosen);
+    if (outcome == DONE) outcome = pairs_file_read(options, this.fonts, &this.pairs);
+    if (outcome == DONE) outcome = characters_choose(options, this.fonts, count, &this.pairs, &this.chosen);
     if (outcome == DONE) outcome = open_row(&this, count);
     this.what = (mt_inspection){.code_points = this.chosen.list,
                                 .count = this.chosen.count,
@@ -111,6 +115,7 @@ static int run(cli_options *options) {
     if (outcome == DONE) outcome = write_output(&this);
     mt_row_close(&this.row);
     for (int i = 0; i < 2; i++) mt_font_close(this.fonts[i]);
+    mt_given_pairs_free(&this.pairs);
     characters_free(&this.chosen);
     return outcome;
 }

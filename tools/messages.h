@@ -4,7 +4,7 @@
 /* Exit codes. */
 enum { DONE = 0, COULD_NOT = 1, WRONG_USAGE = 2 };
 
-/* Says one line. Control characters (a file name may hold any) become question marks. */
+/* Says one line, in UTF-8. Control characters and other bytes (a file name may hold any) become question marks. */
 __attribute__((format(printf, 1, 2))) void say(const char *format, ...);
 
 /* Says it and gives COULD_NOT. */

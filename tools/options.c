@@ -23,7 +23,7 @@ typedef struct option_row {
 } option_row;
 
 /* The letters that every command takes stand in COMMON. */
-#define COMMON "fjqvhMTwrmsRH"
+#define COMMON "fjqvhMTwrmsRHP"
 
 static const option_row rows[] = {
     {'o', true, "output", "FILE", "the file to write"},
@@ -52,6 +52,7 @@ static const option_row rows[] = {
     {'m', false, "threshold", "X", "matches weaker than X times the best count as none (0 ... 1)"},
     {'s', false, "one-scale", NULL, "match pieces with one scale for both axes, as the paper prints it"},
     {'R', false, "rotate", "DEGREES|auto", "turn while blending; auto finds the angle of each glyph"},
+    {'P', false, "pairs", "FILE", "glyphs that go together, by name or code point, one a font on a line"},
     {'H', false, "hints", "FILE", "which parts and places of both fonts' glyphs go together"},
     {'j', true, "jobs", "N", "threads (1 ... 1024); without it, one a core"},
     {'q', true, "quiet", NULL, "say nothing but errors"},
@@ -271,6 +272,7 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'E': return options->alternates = true, GO_ON;
     case 'L': return options->no_layout = true, GO_ON;
     case 'A': return read_map(options, argument);
+    case 'P': return options->pairs_file = argument, GO_ON;
     case 'H': return options->hints_file = argument, GO_ON;
     case 'J': return options->json = true, GO_ON;
     case 'S': return options->strict = true, GO_ON;
@@ -310,6 +312,7 @@ static int read_fonts(const cli_command *command, int count, char **names, cli_o
                       command->fonts_min == 1 ? "a font is wanted" : "two fonts are wanted");
     if (count > command->fonts_max)
         return misuse(command->name, "%s is one argument too many", names[command->fonts_max]);
+    if (count < 2 && options->pairs_file) return misuse(command->name, "--pairs: two fonts are wanted");
     for (int i = 0; i < count; i++) options->fonts[i] = names[i];
     options->font_count = count;
     return GO_ON;

@@ -16,6 +16,7 @@ typedef struct cli_options {
     int steps;              /* 0: not given */
     char *text;             /* UTF-8; the --text arguments, a line each; NULL: not given */
     const char *chars_file; /* NULL: not given */
+    const char *pairs_file; /* NULL: not given */
     const char *hints_file; /* NULL: not given */
     const char *family;     /* NULL: not given */
     char *style_text;       /* from mt_new; the styles are cut out of it */

@@ -6,6 +6,7 @@
 #include "glyphset/font_pair.h"
 #include "hints_file.h"
 #include "messages.h"
+#include "pairs_file.h"
 #include "source/font.h"
 
 #include <errno.h>
@@ -69,18 +70,27 @@ void work_name(const cli_options *options, char *text, size_t room) {
 
 /* ---- characters --------------------------------------------------------------------------------- */
 
-static bool has_char(const mt_font *font, uint32_t code_point) {
-    return mt_font_glyph(font, code_point) != 0;
+/* Fonts and what pairs them, as far as characters go. */
+typedef struct char_source {
+    const cli_options *options;
+    mt_font *const *fonts;
+    int count;
+    const mt_given_pairs *pairs;
+} char_source;
+
+static bool has_char(const char_source *source, int font, uint32_t code_point) {
+    return mt_given_glyph(source->pairs, source->fonts, font, code_point) != 0;
 }
 
 /* Adds "FONT lacks A (U+0041), B (U+0042)" to a line, where the font lacks any. */
-static void add_lacking(const char *spec, const mt_font *font, const characters *wanted, char *line,
+static void add_lacking(const char_source *source, int font, const characters *wanted, char *line,
                         size_t room) {
+    const char *spec = source->options->fonts[font];
     int lacking = 0;
     size_t used = strlen(line);
     for (int i = 0; i < wanted->count; i++) {
         char name[CHARACTER_NAME_ROOM];
-        if (has_char(font, wanted->list[i])) continue;
+        if (has_char(source, font, wanted->list[i])) continue;
         character_describe(wanted->list[i], name, sizeof name);
         if (lacking == 0) snprintf(line + used, room - used, "%s%s lacks %s", used ? "; " : "", spec, name);
         if (lacking > 0 && lacking < RANGES_MOST) snprintf(line + used, room - used, ", %s", name);
@@ -91,12 +101,13 @@ static void add_lacking(const char *spec, const mt_font *font, const characters 
 }
 
 /* A text is wanted whole. */
-static int choose_text(const cli_options *options, mt_font *const *fonts, int count, characters *chosen) {
+static int choose_text(const char_source *source, characters *chosen) {
+    const cli_options *options = source->options;
     char line[NAME_ROOM] = "";
     mt_status status = characters_add_text(chosen, options->text);
     if (status != MT_OK) return fail_status("--text", status);
     if (chosen->count == 0) return misuse(options->command, "--text: no characters");
-    for (int i = 0; i < count; i++) add_lacking(options->fonts[i], fonts[i], chosen, line, sizeof line);
+    for (int i = 0; i < source->count; i++) add_lacking(source, i, chosen, line, sizeof line);
     return *line ? fail("%s", line) : DONE;
 }
 
@@ -109,7 +120,9 @@ static void say_characters(const cli_options *options, characters *set, const ch
 }
 
 /* Of a file, those that all fonts have, or the one that is asked. */
-static int choose_file(const cli_options *options, mt_font *const *fonts, int count, characters *chosen) {
+static int choose_file(const char_source *source, characters *chosen) {
+    const cli_options *options = source->options;
+    const int count = source->count;
     characters wanted = {0}, left_out = {0};
     const char *everyone = count > 2 ? "all fonts" : "both fonts";
     char where[NAME_ROOM];
@@ -119,7 +132,7 @@ static int choose_file(const cli_options *options, mt_font *const *fonts, int co
     mt_status status = MT_OK;
     for (int i = 0; outcome == DONE && status == MT_OK && i < wanted.count; i++) {
         bool everywhere = true;
-        for (int k = 0; k < count; k++) everywhere = everywhere && has_char(fonts[k], wanted.list[i]);
+        for (int k = 0; k < count; k++) everywhere = everywhere && has_char(source, k, wanted.list[i]);
         status = characters_add(everywhere ? chosen : &left_out, wanted.list[i]);
     }
     if (status != MT_OK) outcome = fail_status(options->chars_file, status);
@@ -132,22 +145,34 @@ static int choose_file(const cli_options *options, mt_font *const *fonts, int co
     return outcome;
 }
 
-int characters_choose(const cli_options *options, mt_font *const *fonts, int count, characters *chosen) {
-    if (options->text) return choose_text(options, fonts, count, chosen);
-    if (options->chars_file) return choose_file(options, fonts, count, chosen);
+int characters_choose(const cli_options *options, mt_font *const *fonts, int count,
+                      const mt_given_pairs *pairs, characters *chosen) {
+    const char_source source = {options, fonts, count, pairs};
+    if (options->text) return choose_text(&source, chosen);
+    if (options->chars_file) return choose_file(&source, chosen);
     return DONE;
 }
 
+/* Whether a glyph of the font goes with others by a given pair. */
+static bool is_given(const mt_given_pairs *pairs, int font, uint32_t glyph) {
+    for (int i = 0; i < pairs->count; i++)
+        if (pairs->glyphs[i * pairs->font_count + font] == glyph) return true;
+    return false;
+}
+
+/* Whether what the font has for a character is in the new font: all fonts have the character, or a pair is given. */
+static bool is_shared(const char_source *source, int font, uint32_t code_point) {
+    bool everywhere = true;
+    for (int k = 0; k < source->count; k++)
+        everywhere = everywhere && mt_font_mapped_glyph(source->fonts[k], code_point) != 0;
+    return everywhere || is_given(source->pairs, font, mt_font_mapped_glyph(source->fonts[font], code_point));
+}
+
 /* Those of the font that another one lacks. */
-static mt_status find_unshared(mt_font *const *fonts, int count, int own, characters *all,
-                               characters *unshared) {
-    mt_status status = characters_add_font(all, fonts[own]);
-    for (int i = 0; status == MT_OK && i < all->count; i++) {
-        bool everywhere = true;
-        for (int k = 0; k < count; k++)
-            everywhere = everywhere && mt_font_mapped_glyph(fonts[k], all->list[i]) != 0;
-        if (!everywhere) status = characters_add(unshared, all->list[i]);
-    }
+static mt_status find_unshared(const char_source *source, int font, characters *all, characters *unshared) {
+    mt_status status = characters_add_font(all, source->fonts[font]);
+    for (int i = 0; status == MT_OK && i < all->count; i++)
+        if (!is_shared(source, font, all->list[i])) status = characters_add(unshared, all->list[i]);
     return status;
 }
 
@@ -161,11 +186,13 @@ static void say_unshared(const cli_options *options, int font, characters *unsha
 }
 
 /* A whole font: tells what not all fonts have. MT_NOTHING_SHARED when that is everything. */
-static mt_status summarise(const cli_options *options, mt_font *const *fonts) {
+static mt_status summarise(const cli_work *work) {
+    const cli_options *options = work->options;
+    const char_source source = {options, work->fonts, options->font_count, &work->pairs};
     mt_status status = MT_OK;
     for (int i = 0; i < options->font_count && status == MT_OK; i++) {
         characters all = {0}, unshared = {0};
-        status = find_unshared(fonts, options->font_count, i, &all, &unshared);
+        status = find_unshared(&source, i, &all, &unshared);
         if (status == MT_OK && unshared.count == all.count) status = MT_NOTHING_SHARED;
         if (status == MT_OK) say_unshared(options, i, &unshared);
         characters_free(&all);
@@ -230,6 +257,7 @@ static int set_hints(cli_work *work) {
 static int make_blend(cli_work *work) {
     const cli_options *options = work->options;
     mt_status status = mt_blend_new(work->fonts[0], work->fonts[1], &options->params, &work->blend);
+    if (status == MT_OK) status = mt_blend_set_pairs(work->blend, work->pairs.glyphs, work->pairs.count);
     if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
     if (status == MT_OK) mt_blend_set_glyphs(work->blend, options->glyphs);
     if (status == MT_OK) mt_blend_set_alternates(work->blend, options->alternates);
@@ -237,7 +265,7 @@ static int make_blend(cli_work *work) {
     if (status == MT_OK) status = mt_blend_set_styles(work->blend, options->styles, options->style_count);
     if (status == MT_OK && work->chosen.count > 0)
         status = mt_blend_set_chars(work->blend, work->chosen.list, work->chosen.count);
-    if (status == MT_OK && work->chosen.count == 0) status = summarise(options, work->fonts);
+    if (status == MT_OK && work->chosen.count == 0) status = summarise(work);
     if (status != MT_OK) return work_fail(work, status);
     mt_blend_on_glyph_failure(work->blend, glyph_notes_add, &work->failures);
     mt_blend_on_unblended(work->blend, glyph_notes_add, &work->unblended);
@@ -248,6 +276,8 @@ static int make_blend(cli_work *work) {
 static int make_variable(cli_work *work) {
     const cli_options *options = work->options;
     mt_status status = mt_variable_new(work->fonts, options->font_count, &options->params, &work->variable);
+    if (status == MT_OK)
+        status = mt_variable_set_pairs(work->variable, work->pairs.glyphs, work->pairs.count);
     if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
     if (status == MT_OK) mt_variable_set_glyphs(work->variable, options->glyphs);
     if (status == MT_OK) mt_variable_set_alternates(work->variable, options->alternates);
@@ -262,7 +292,7 @@ static int make_variable(cli_work *work) {
             mt_variable_set_map(work->variable, options->map_values, options->map_places, options->map_count);
     if (status == MT_OK && work->chosen.count > 0)
         status = mt_variable_set_chars(work->variable, work->chosen.list, work->chosen.count);
-    if (status == MT_OK && work->chosen.count == 0) status = summarise(options, work->fonts);
+    if (status == MT_OK && work->chosen.count == 0) status = summarise(work);
     if (status != MT_OK) return work_fail(work, status);
     mt_variable_on_glyph_failure(work->variable, glyph_notes_add, &work->failures);
     mt_variable_on_unblended(work->variable, glyph_notes_add, &work->unblended);
@@ -276,7 +306,9 @@ static int open_fonts(const cli_options *options, cli_work *work) {
     int outcome = fonts_open(options, work->fonts);
     if (outcome == DONE) explain(work);
     int asked = options->glyphs == MT_GLYPHS_FIRST ? 1 : options->font_count;
-    return outcome == DONE ? characters_choose(options, work->fonts, asked, &work->chosen) : outcome;
+    if (outcome == DONE) outcome = pairs_file_read(options, work->fonts, &work->pairs);
+    if (outcome != DONE) return outcome;
+    return characters_choose(options, work->fonts, asked, &work->pairs, &work->chosen);
 }
 
 int work_begin(const cli_options *options, cli_work *work) {
@@ -324,6 +356,7 @@ void work_end(cli_work *work) {
     mt_variable_free(work->variable);
     for (int i = 0; i < work->options->font_count; i++) mt_font_close(work->fonts[i]);
     characters_free(&work->chosen);
+    mt_given_pairs_free(&work->pairs);
     glyph_notes_free(&work->failures);
     glyph_notes_free(&work->unblended);
 }

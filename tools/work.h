@@ -6,12 +6,14 @@
 #include "glyph_notes.h"
 #include "options.h"
 #include "progress.h"
+#include "source/given_pairs.h"
 
 typedef struct cli_work {
     const cli_options *options;
     mt_font *fonts[MT_VARIABLE_FONTS_MAX]; /* as many as the options have */
     mt_blend *blend;                       /* NULL for a variable font */
     mt_variable *variable;                 /* NULL for a blend */
+    mt_given_pairs pairs;                  /* of --pairs */
     characters chosen; /* those of --text or --chars that both fonts have; empty without either */
     progress bar;
     glyph_notes failures, unblended;
@@ -31,8 +33,9 @@ int fail_status(const char *what, mt_status status);
 int fonts_open(const cli_options *options, mt_font **fonts);
 
 /* Collects the characters of --text, all of which each of the `count` fonts must have, or those of --chars
- * that all have. Those that are left out are told once. DONE or, said, COULD_NOT. */
-int characters_choose(const cli_options *options, mt_font *const *fonts, int count, characters *chosen);
+ * that all have, in the first a glyph and in the others that or one that is paired with it. Those that are left out are told once. DONE or, said, COULD_NOT. */
+int characters_choose(const cli_options *options, mt_font *const *fonts, int count,
+                      const mt_given_pairs *pairs, characters *chosen);
 
 /* Opens both fonts and makes the blend, of the characters chosen, for `options->at_count` fonts. DONE or,
  * said, COULD_NOT; either way the work is to be ended. */

@@ -72,7 +72,7 @@ mt_status mt_pair_prepare_char(mt_row *row, uint32_t code_point, mt_arena *arena
     *pair = (mt_glyph_pair){0};
     pthread_mutex_lock(&row->lock);
     uint32_t a = mt_font_glyph(row->fonts[0], code_point);
-    uint32_t b = row->font_count > 1 ? mt_font_glyph(row->fonts[1], code_point) : MT_NO_PARTNER;
+    uint32_t b = row->font_count > 1 ? mt_given_glyph(&row->pairs, row->fonts, 1, code_point) : MT_NO_PARTNER;
     pthread_mutex_unlock(&row->lock);
     return a && b ? mt_pair_prepare(row, 0, a, b, arena, pair) : MT_NO_GLYPH;
 }

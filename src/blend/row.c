@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "blend/metadata.h"
+#include "blend/private_names.h"
 #include "blend/review.h"
 #include "morph/model/params.h"
 #include "sfnt/axis_names.h"
@@ -46,6 +47,7 @@ void mt_row_close(mt_row *row) {
     mt_free(row->family);
     free_styles(row->styles, row->style_count);
     mt_free(row->wanted);
+    mt_given_pairs_free(&row->pairs);
     pthread_mutex_destroy(&row->lock);
 }
 
@@ -53,7 +55,7 @@ mt_status mt_row_set_hints(mt_row *row, const mt_hint_table *table, mt_hint_erro
     mt_hint_index **hints = mt_new((size_t)row->font_count, sizeof *hints);
     mt_status status = hints ? MT_OK : MT_NO_MEMORY;
     for (int i = 0; table && i + 1 < row->font_count && status == MT_OK; i++)
-        status = mt_hint_index_new(table, row->fonts[i], row->fonts[i + 1], &hints[i], error);
+        status = mt_hint_index_new(table, row->fonts, i, &row->pairs, &hints[i], error);
     mt_hint_index **unused = status == MT_OK ? row->hints : hints;
     if (status == MT_OK) row->hints = hints;
     if (unused) free_hints(unused, row->font_count);
@@ -68,6 +70,23 @@ mt_status mt_row_set_chars(mt_row *row, const uint32_t *code_points, int count) 
     row->wanted = copy;
     row->wanted_count = count > 0 ? count : 0;
     return MT_OK;
+}
+
+mt_status mt_row_set_pairs(mt_row *row, const uint32_t *glyphs, int count) {
+    mt_given_pairs pairs;
+    mt_status status = mt_given_pairs_make(glyphs, count, row->fonts, row->font_count, &pairs);
+    if (status != MT_OK) return status;
+    mt_given_pairs_free(&row->pairs);
+    row->pairs = pairs;
+    return MT_OK;
+}
+
+mt_charset_request mt_row_request(const mt_row *row) {
+    return (mt_charset_request){.wanted = row->wanted,
+                                .count = row->wanted_count,
+                                .set = row->set,
+                                .alternates = row->alternates,
+                                .pairs = &row->pairs};
 }
 
 static mt_status set_family(mt_row *row, const char *name) {
@@ -131,6 +150,13 @@ static void on_unblended(mt_row *row, mt_glyph_noted call, void *user) {
     row->kept_user = user;
 }
 
+static mt_status review(const mt_row *row, mt_warning call, void *user) {
+    mt_status status = mt_review(row->fonts, row->font_count, row->family, call, user);
+    mt_charset_request request = mt_row_request(row);
+    if (status != MT_OK) return status;
+    return mt_private_names_review(row->fonts, row->font_count, &request, call, user);
+}
+
 static void on_left_out(mt_row *row, mt_left_out_noted call, void *user) {
     row->left_out = call;
     row->left_out_user = user;
@@ -186,12 +212,15 @@ mt_status mt_blend_set_styles(mt_blend *blend, const char *const *names, int cou
 }
 
 mt_status mt_blend_warnings(const mt_blend *blend, mt_warning call, void *user) {
-    const mt_row *row = &blend->row;
-    return mt_review(row->fonts, row->font_count, row->family, call, user);
+    return review(&blend->row, call, user);
 }
 
 mt_status mt_blend_set_chars(mt_blend *blend, const uint32_t *code_points, int count) {
     return mt_row_set_chars(&blend->row, code_points, count);
+}
+
+mt_status mt_blend_set_pairs(mt_blend *blend, const uint32_t *glyphs, int count) {
+    return mt_row_set_pairs(&blend->row, glyphs, count);
 }
 
 void mt_blend_set_alternates(mt_blend *blend, bool alternates) {
@@ -276,12 +305,15 @@ mt_status mt_variable_set_axis(mt_variable *variable, const char *tag, double fr
 }
 
 mt_status mt_variable_warnings(const mt_variable *variable, mt_warning call, void *user) {
-    const mt_row *row = &variable->row;
-    return mt_review(row->fonts, row->font_count, row->family, call, user);
+    return review(&variable->row, call, user);
 }
 
 mt_status mt_variable_set_chars(mt_variable *variable, const uint32_t *code_points, int count) {
     return mt_row_set_chars(&variable->row, code_points, count);
+}
+
+mt_status mt_variable_set_pairs(mt_variable *variable, const uint32_t *glyphs, int count) {
+    return mt_row_set_pairs(&variable->row, glyphs, count);
 }
 
 void mt_variable_set_alternates(mt_variable *variable, bool alternates) {

@@ -10,10 +10,12 @@
 
 #include <pthread.h>
 
+#include "glyphset/codes.h"
 #include "hints/index.h"
 #include "sfnt/axis.h"
 #include "sfnt/axis_map.h"
 #include "source/font.h"
+#include "source/given_pairs.h"
 
 typedef struct mt_row {
     int font_count;
@@ -27,8 +29,9 @@ typedef struct mt_row {
     int wanted_count; /* 0: all characters */
     uint32_t *wanted;
     mt_glyph_set set;
-    bool alternates; /* of wanted characters, also those that text has to ask for */
-    int unblended;   /* glyphs of the last fonts */
+    mt_given_pairs pairs; /* empty: none are given */
+    bool alternates;      /* of wanted characters, also those that text has to ask for */
+    int unblended;        /* glyphs of the last fonts */
     mt_glyph_failed failed;
     mt_glyph_noted failure, kept; /* of glyphs that could not be blended, and of those without a partner */
     mt_left_out_noted left_out;
@@ -53,7 +56,11 @@ void mt_row_close(mt_row *row); /* all zero is fine */
 
 /* As the calls for a blend (morphotype.h). */
 mt_status mt_row_set_hints(mt_row *row, const mt_hint_table *table, mt_hint_error *error);
+mt_status mt_row_set_pairs(mt_row *row, const uint32_t *glyphs, int count);
 mt_status mt_row_set_chars(mt_row *row, const uint32_t *code_points, int count);
+
+/* What is asked of the row's glyphs. It refers to the row. */
+mt_charset_request mt_row_request(const mt_row *row);
 
 /* The new font's units per em: the most that the blend of two neighbours needs (metadata.h). */
 int mt_row_units(const mt_row *row);

@@ -233,6 +233,14 @@ static void count_left_out(const mt_lister *lister, mt_charset *charset) {
 
 /* ---- the whole ------------------------------------------------------------------------------------------- */
 
+/* The first font and another. */
+static mt_status make_pair(mt_font *const *fonts, int other, const mt_charset_request *request,
+                           mt_arena *arena, mt_font_pair *pair) {
+    mt_charset_request own = *request;
+    own.other = other;
+    return mt_font_pair_make(fonts[0], fonts[other], &own, arena, pair);
+}
+
 mt_status mt_row_glyphs_make(mt_font *const *fonts, int count, const mt_charset_request *request,
                              mt_arena *arena, mt_row_glyphs *glyphs) {
     mt_row_glyphs made = {0};
@@ -240,7 +248,7 @@ mt_status mt_row_glyphs_make(mt_font *const *fonts, int count, const mt_charset_
     lister.pairs = mt_arena_new(arena, (size_t)count - 1, sizeof *lister.pairs);
     mt_status status = lister.pairs ? MT_OK : MT_NO_MEMORY;
     for (int i = 0; i + 1 < count && status == MT_OK; i++)
-        status = mt_font_pair_make(fonts[0], fonts[i + 1], request, arena, &lister.pairs[i]);
+        status = make_pair(fonts, i + 1, request, arena, &lister.pairs[i]);
     if (status == MT_OK) status = list_primaries(&lister);
     if (status == MT_OK) status = list_chars(&lister);
     if (status == MT_OK) status = number_glyphs(&lister);

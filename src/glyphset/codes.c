@@ -19,17 +19,32 @@ const mt_code *mt_codes_find(const mt_codes *codes, uint32_t code_point) {
     return codes->count ? bsearch(&key, codes->list, (size_t)codes->count, sizeof key, ascending) : NULL;
 }
 
-static mt_code look_up(const mt_font *a, const mt_font *b, uint32_t code_point) {
-    return (mt_code){code_point, mt_font_glyph(a, code_point), mt_font_glyph(b, code_point)};
+/* Both fonts, and what is asked of them. */
+typedef struct mt_code_source {
+    const mt_font *a, *b;
+    const mt_charset_request *request;
+} mt_code_source;
+
+/* With the glyph of B's that is given for A's. */
+static mt_code as_given(const mt_code_source *source, mt_code code) {
+    uint32_t given = mt_given_partner(source->request->pairs, code.a, source->request->other);
+    if (given) code.b = given;
+    return code;
+}
+
+static mt_code look_up(const mt_code_source *source, uint32_t code_point) {
+    return as_given(source, (mt_code){code_point, mt_font_glyph(source->a, code_point),
+                                      mt_font_glyph(source->b, code_point)});
 }
 
 /* Without what a symbol font has for other codes than it maps: whichever font comes first, the characters are the same. */
-static mt_code look_up_mapped(const mt_font *a, const mt_font *b, uint32_t code_point) {
-    return (mt_code){code_point, mt_font_mapped_glyph(a, code_point), mt_font_mapped_glyph(b, code_point)};
+static mt_code look_up_mapped(const mt_code_source *source, uint32_t code_point) {
+    return as_given(source, (mt_code){code_point, mt_font_mapped_glyph(source->a, code_point),
+                                      mt_font_mapped_glyph(source->b, code_point)});
 }
 
-static bool is_in(mt_code code, mt_glyph_set set) {
-    return code.a && (code.b || set == MT_GLYPHS_FIRST);
+static bool is_in(const mt_code_source *source, mt_code code) {
+    return code.a && (code.b || source->request->set == MT_GLYPHS_FIRST);
 }
 
 /* Sorts, and leaves each character once. */
@@ -44,36 +59,36 @@ static void settle(mt_codes *codes) {
 
 /* ---- what is asked for --------------------------------------------------------------------------------- */
 
-static mt_status list_wanted(const mt_font *a, const mt_font *b, const mt_charset_request *request,
-                             mt_arena *arena, mt_codes *codes) {
+static mt_status list_wanted(const mt_code_source *source, mt_arena *arena, mt_codes *codes) {
+    const mt_charset_request *request = source->request;
     codes->list = mt_arena_new(arena, (size_t)request->count, sizeof *codes->list);
     if (!codes->list) return MT_NO_MEMORY;
     for (int i = 0; i < request->count; i++) {
-        mt_code code = look_up(a, b, request->wanted[i]);
-        if (is_in(code, request->set)) codes->list[codes->count++] = code;
+        mt_code code = look_up(source, request->wanted[i]);
+        if (is_in(source, code)) codes->list[codes->count++] = code;
     }
     settle(codes);
     return MT_OK;
 }
 
 /* All of A's that the set takes in; counts them only where `list` is NULL. */
-static int fill_all(const mt_font *a, const mt_font *b, mt_glyph_set set, mt_code *list) {
+static int fill_all(const mt_code_source *source, mt_code *list) {
+    const mt_font *a = source->a;
     int count = 0;
     uint32_t c = 0;
     for (bool more = mt_font_next_char(a, 0, &c); more; more = mt_font_next_char(a, c + 1, &c)) {
-        mt_code code = look_up_mapped(a, b, c);
-        if (!is_in(code, set)) continue;
+        mt_code code = look_up_mapped(source, c);
+        if (!is_in(source, code)) continue;
         if (list) list[count] = code;
         count++;
     }
     return count;
 }
 
-static mt_status list_all(const mt_font *a, const mt_font *b, mt_glyph_set set, mt_arena *arena,
-                          mt_codes *codes) {
-    codes->list = mt_arena_new(arena, (size_t)fill_all(a, b, set, NULL) + 1, sizeof *codes->list);
+static mt_status list_all(const mt_code_source *source, mt_arena *arena, mt_codes *codes) {
+    codes->list = mt_arena_new(arena, (size_t)fill_all(source, NULL) + 1, sizeof *codes->list);
     if (!codes->list) return MT_NO_MEMORY;
-    codes->count = fill_all(a, b, set, codes->list);
+    codes->count = fill_all(source, codes->list);
     return MT_OK;
 }
 
@@ -108,14 +123,14 @@ static mt_status append(mt_codes *codes, int *room, mt_code code, mt_arena *aren
 }
 
 /* Adds the parts of each character, and theirs. */
-static mt_status add_parts(const mt_font *a, const mt_font *b, mt_codes *codes, mt_arena *arena) {
+static mt_status add_parts(const mt_code_source *source, mt_codes *codes, mt_arena *arena) {
     const mt_codes known = *codes;
     int room = codes->count;
     for (int i = 0; i < codes->count; i++) {
         uint32_t parts[2];
         if (!take_apart(codes->list[i].code_point, parts)) continue;
         for (int k = 0; k < 2; k++) {
-            mt_code part = look_up(a, b, parts[k]);
+            mt_code part = look_up(source, parts[k]);
             if (!parts[k] || !part.a || mt_codes_find(&known, parts[k])) continue;
             if (append(codes, &room, part, arena) != MT_OK) return MT_NO_MEMORY;
         }
@@ -125,17 +140,17 @@ static mt_status add_parts(const mt_font *a, const mt_font *b, mt_codes *codes, 
 }
 
 /* Adds the characters of the set that two of the list make. */
-static mt_status add_wholes(const mt_font *a, const mt_font *b, mt_glyph_set set, mt_codes *codes,
-                            mt_arena *arena) {
+static mt_status add_wholes(const mt_code_source *source, mt_codes *codes, mt_arena *arena) {
+    const mt_font *a = source->a;
     const mt_codes known = *codes;
     int room = codes->count;
     uint32_t c = 0;
     for (bool more = mt_font_next_char(a, 0, &c); more; more = mt_font_next_char(a, c + 1, &c)) {
         uint32_t parts[2];
         if (!hb_unicode_decompose(hb_unicode_funcs_get_default(), c, &parts[0], &parts[1])) continue;
-        mt_code code = look_up_mapped(a, b, c);
+        mt_code code = look_up_mapped(source, c);
         bool whole = parts[1] && mt_codes_find(&known, parts[0]) && mt_codes_find(&known, parts[1]);
-        if (!whole || !is_in(code, set) || mt_codes_find(&known, c)) continue;
+        if (!whole || !is_in(source, code) || mt_codes_find(&known, c)) continue;
         if (append(codes, &room, code, arena) != MT_OK) return MT_NO_MEMORY;
     }
     settle(codes);
@@ -146,14 +161,14 @@ mt_status mt_codes_list(const mt_font *a, const mt_font *b, const mt_charset_req
                         mt_arena *arena, mt_codes *codes) {
     enum { ROUNDS = 3 }; /* what is put together of parts that are put together: Greek, Vietnamese, Hangul */
     mt_codes made = {0};
-    mt_status status = request->count ? list_wanted(a, b, request, arena, &made)
-                                      : list_all(a, b, request->set, arena, &made);
+    const mt_code_source source = {a, b, request};
+    mt_status status = request->count ? list_wanted(&source, arena, &made) : list_all(&source, arena, &made);
     for (int i = 0, before = -1; i < ROUNDS && request->count && status == MT_OK && made.count != before;
          i++) {
         before = made.count;
-        status = add_wholes(a, b, request->set, &made, arena);
+        status = add_wholes(&source, &made, arena);
     }
-    if (status == MT_OK && made.count) status = add_parts(a, b, &made, arena);
+    if (status == MT_OK && made.count) status = add_parts(&source, &made, arena);
     if (status == MT_OK) *codes = made;
     return status;
 }

@@ -3,8 +3,9 @@
 
 #include "base/memory.h"
 #include "source/font.h"
+#include "source/given_pairs.h"
 
-/* A character and its glyph in each font; 0 where a font has none. */
+/* A character and its glyph in each font, in B the one that is given for A's; 0 where a font has none. */
 typedef struct mt_code {
     uint32_t code_point, a, b;
 } mt_code;
@@ -18,7 +19,9 @@ typedef struct mt_charset_request {
     const uint32_t *wanted; /* only these code points, in any order, and their forms */
     int count;              /* 0: all */
     mt_glyph_set set;
-    bool alternates; /* of wanted code points, also the forms that text has to ask for */
+    bool alternates;             /* of wanted code points, also the forms that text has to ask for */
+    const mt_given_pairs *pairs; /* NULL: none */
+    int other;                   /* B's number among the fonts of the pairs */
 } mt_charset_request;
 
 /* The characters of both fonts, or of A, all or those wanted; and those of A that HarfBuzz takes them apart into, also where B

@@ -46,6 +46,22 @@ static void pair_sequences(const mt_sequences *sequences, mt_glyph_match *match)
     }
 }
 
+/* What a person has paired, whether a character leads there or not. */
+static void pair_given(const mt_charset_request *request, const mt_codes *wanted, const mt_codes *all,
+                       mt_glyph_match *match) {
+    for (int k = 0; k < 2; k++) {
+        const mt_codes *codes = k ? all : wanted;
+        for (int i = 0; i < codes->count; i++) {
+            uint32_t given = mt_given_partner(request->pairs, codes->list[i].a, request->other);
+            if (given) mt_match_pair(match, codes->list[i].a, given, codes->list[i].code_point);
+        }
+    }
+    for (int a = 1; a < match->count_a; a++) {
+        uint32_t given = mt_given_partner(request->pairs, (uint32_t)a, request->other);
+        if (given) mt_match_pair(match, (uint32_t)a, given, 0);
+    }
+}
+
 /* Pairs by characters, by sequences, and by texts of the wanted characters. The rest of the characters comes behind the wanted
  * ones: a feature may lead to their glyphs. */
 static mt_status pair_by_text(mt_text_pairs *pairs, mt_codes *wanted, const mt_codes *all,
@@ -55,10 +71,11 @@ static mt_status pair_by_text(mt_text_pairs *pairs, mt_codes *wanted, const mt_c
     int count = 0;
     if (!chars) return MT_NO_MEMORY;
     for (int i = 0; i < wanted->count; i++)
-        if (wanted->list[i].b) chars[count++] = wanted->list[i].code_point;
+        if (wanted->list[i].b && mt_font_glyph(match->b, wanted->list[i].code_point) == wanted->list[i].b)
+            chars[count++] = wanted->list[i].code_point;
     mt_status status = mt_text_pairs_find(pairs, match, gsub_a, gsub_b, chars, count, arena);
     if (status != MT_OK) return status;
-    mt_text_pairs_settle(pairs, wanted->list, wanted->count);
+    mt_text_pairs_settle(pairs, match, wanted->list, wanted->count);
     pair_codes(wanted, match);
     pair_codes(all, match);
     pair_sequences(sequences, match);
@@ -66,13 +83,16 @@ static mt_status pair_by_text(mt_text_pairs *pairs, mt_codes *wanted, const mt_c
     return MT_OK;
 }
 
-static mt_status pair_glyphs(mt_font *a, mt_font *b, mt_codes *wanted, const mt_sequences *sequences,
-                             const mt_gsub *gsub_a, mt_arena *arena, mt_glyph_match *match) {
+static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_charset_request *request, mt_codes *wanted,
+                             const mt_sequences *sequences, const mt_gsub *gsub_a, mt_arena *arena,
+                             mt_glyph_match *match) {
+    const mt_charset_request any = {.pairs = request->pairs, .other = request->other};
     mt_codes all = {0};
     mt_gsub gsub_b;
     mt_text_pairs pairs = {0};
     mt_status status = mt_glyph_match_new(a, b, arena, match);
-    if (status == MT_OK) status = mt_codes_list(a, b, &(mt_charset_request){0}, arena, &all);
+    if (status == MT_OK) status = mt_codes_list(a, b, &any, arena, &all);
+    if (status == MT_OK) pair_given(request, wanted, &all, match);
     if (status == MT_OK) status = mt_gsub_open(b, arena, &gsub_b);
     if (status == MT_OK)
         status = pair_by_text(&pairs, wanted, &all, sequences, gsub_a, &gsub_b, arena, match);
@@ -116,7 +136,8 @@ mt_status mt_font_pair_make(mt_font *a, mt_font *b, const mt_charset_request *re
     if (made.codes.count == 0) return MT_NOTHING_SHARED;
     status = list_sequences(a, b, &made.codes, request->set, arena, &made.sequences);
     if (status == MT_OK) status = mt_gsub_open(a, arena, &gsub);
-    if (status == MT_OK) status = pair_glyphs(a, b, &made.codes, &made.sequences, &gsub, arena, &made.match);
+    if (status == MT_OK)
+        status = pair_glyphs(a, b, request, &made.codes, &made.sequences, &gsub, arena, &made.match);
     if (status == MT_OK) status = keep_glyphs(request, &gsub, arena, &made);
     if (status == MT_OK) *pair = made;
     return status;

@@ -23,7 +23,7 @@ typedef struct mt_font_pair {
         left; /* forms of wanted characters that are not asked for; all zero where all forms are kept */
 } mt_font_pair;
 
-/* Pairs the glyphs of both fonts by characters, by variation sequences, by texts, by names and by the features that lead to them
+/* Pairs the glyphs of both fonts as a person has, then by characters, by variation sequences, by texts, by names and by the features that lead to them
  * (match.h). Keeps the pairs and all that A's substitutions make of them; of limited characters their glyphs, and what A's
  * substitutions make of these without being asked, or all with `alternates`.
  * MT_NOTHING_SHARED, MT_ENDLESS_LOOKUPS, MT_NO_MEMORY. */

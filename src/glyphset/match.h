@@ -41,8 +41,9 @@ typedef struct mt_text_pairs {
 /* Shapes texts of the characters, which both fonts have, in ascending order. MT_NO_MEMORY. */
 mt_status mt_text_pairs_find(mt_text_pairs *pairs, const mt_glyph_match *match, const mt_gsub *gsub_a,
                              const mt_gsub *gsub_b, const uint32_t *chars, int count, mt_arena *arena);
-/* Where a character by itself leads to A's own glyph for it, and in B to another than B's own, that takes its place. */
-void mt_text_pairs_settle(mt_text_pairs *pairs, mt_code *codes, int count);
+/* Where a character by itself leads to A's own glyph for it, and in B to another than B's own, that takes its place, unless
+ * A's has a partner already. */
+void mt_text_pairs_settle(mt_text_pairs *pairs, const mt_glyph_match *match, mt_code *codes, int count);
 /* Pairs each glyph of A's with that of B's that most texts lead to. */
 void mt_text_pairs_apply(const mt_text_pairs *pairs, mt_glyph_match *match);
 void mt_text_pairs_close(mt_text_pairs *pairs);

@@ -9,10 +9,11 @@ static uint32_t shape_one(mt_shaper *shaper, uint32_t code) {
     return shaped.count == 1 ? shaped.glyphs[0].codepoint : 0;
 }
 
-void mt_text_pairs_settle(mt_text_pairs *pairs, mt_code *codes, int count) {
+void mt_text_pairs_settle(mt_text_pairs *pairs, const mt_glyph_match *match, mt_code *codes, int count) {
     for (int i = 0; pairs->found && i < count; i++) {
         mt_code *code = &codes[i];
-        if (!code->b || shape_one(&pairs->a, code->code_point) != code->a) continue;
+        if (!code->b || match->partner[code->a] != MT_NO_PARTNER) continue;
+        if (shape_one(&pairs->a, code->code_point) != code->a) continue;
         uint32_t in_b = shape_one(&pairs->b, code->code_point);
         if (in_b) code->b = in_b;
     }

@@ -18,6 +18,13 @@ struct mt_hint_index {
     mt_hint *hints;    /* of each key */
 };
 
+/* The fonts of a row, of which two neighbours count, and what a person has paired. */
+typedef struct mt_hint_fonts {
+    mt_font *const *list;
+    int step;
+    const mt_given_pairs *pairs;
+} mt_hint_fonts;
+
 /* ---- the grid ------------------------------------------------------------------------------------------ */
 
 /* From 16.16 font units; halves up, as outlines are rounded. */
@@ -41,13 +48,14 @@ static mt_status bad(int line, const char *reason, mt_hint_error *error) {
 }
 
 /* Fills keys[] with the hints for characters that both fonts have. */
-static mt_status gather(const mt_hint_table *table, const mt_font *a, const mt_font *b, mt_hint_index *index,
+static mt_status gather(const mt_hint_fonts *fonts, const mt_hint_table *table, mt_hint_index *index,
                         mt_hint_error *error) {
+    const mt_font *a = fonts->list[fonts->step], *b = fonts->list[fonts->step + 1];
     for (int i = 0; i < table->count; i++) {
         const mt_hint_line *line = &table->lines[i];
         mt_hint_key key = {.line = line->line, .hint.kind = line->kind};
-        key.a = mt_font_glyph(a, line->code_point);
-        key.b = mt_font_glyph(b, line->code_point);
+        key.a = mt_given_glyph(fonts->pairs, fonts->list, fonts->step, line->code_point);
+        key.b = mt_given_glyph(fonts->pairs, fonts->list, fonts->step + 1, line->code_point);
         if (key.a == 0 || key.b == 0) continue;
         if (!scale(line->a, a, &key.hint.a)) return bad(line->line, "over 32 em in the first font", error);
         if (!scale(line->b, b, &key.hint.b)) return bad(line->line, "over 32 em in the second font", error);
@@ -67,9 +75,9 @@ static bool are_for_the_same(const mt_hint_key *x, const mt_hint_key *y) {
     return x->a == y->a && x->b == y->b;
 }
 
-static mt_status fill(const mt_hint_table *table, const mt_font *a, const mt_font *b, mt_hint_index *index,
+static mt_status fill(const mt_hint_fonts *fonts, const mt_hint_table *table, mt_hint_index *index,
                       mt_hint_error *error) {
-    mt_status status = gather(table, a, b, index, error);
+    mt_status status = gather(fonts, table, index, error);
     if (status != MT_OK) return status;
     if (index->count > 0) qsort(index->keys, (size_t)index->count, sizeof *index->keys, by_glyphs);
     for (int i = 0; i < index->count; i++) {
@@ -81,14 +89,15 @@ static mt_status fill(const mt_hint_table *table, const mt_font *a, const mt_fon
     return MT_OK;
 }
 
-mt_status mt_hint_index_new(const mt_hint_table *table, const mt_font *a, const mt_font *b,
-                            mt_hint_index **index, mt_hint_error *error) {
+mt_status mt_hint_index_new(const mt_hint_table *table, mt_font *const *fonts, int step,
+                            const mt_given_pairs *pairs, mt_hint_index **index, mt_hint_error *error) {
+    const mt_hint_fonts between = {fonts, step, pairs};
     size_t count = (size_t)table->count;
     mt_hint_index *made = mt_new(1, sizeof *made);
     if (made) made->keys = mt_new(count, sizeof *made->keys);
     if (made) made->hints = mt_new(count, sizeof *made->hints);
     bool had = made && made->keys && made->hints;
-    mt_status status = had ? fill(table, a, b, made, error) : MT_NO_MEMORY;
+    mt_status status = had ? fill(&between, table, made, error) : MT_NO_MEMORY;
     if (status == MT_OK)
         *index = made;
     else

@@ -44,7 +44,8 @@ mt_status mt_report_make(mt_row *row, mt_report *report) {
     mt_report made = {.row = row};
     mt_report_figures figures = {0};
     mt_making making = {.sinks = {mt_report_sink(&figures)}, .sink_count = 1};
-    mt_charset_request request = {row->wanted, row->wanted_count, MT_GLYPHS_BOTH, row->alternates};
+    mt_charset_request request = mt_row_request(row);
+    request.set = MT_GLYPHS_BOTH;
     mt_status status = mt_making_begin(&making, row, &request);
     if (status == MT_OK) status = mt_making_run(&making);
     if (status == MT_OK) status = collect(&making, &figures, &made);

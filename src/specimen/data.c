@@ -104,7 +104,7 @@ static bool is_still(const mt_specimen *specimen, int index, int than) {
     const mt_row *row = &specimen->request->variable->row;
     (void)than;
     for (int i = 0; i < row->font_count; i++)
-        if (mt_font_glyph(row->fonts[i], specimen->font.chars[index]) == 0) return true;
+        if (mt_given_glyph(&row->pairs, row->fonts, i, specimen->font.chars[index]) == 0) return true;
     return false;
 }
 

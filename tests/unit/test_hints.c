@@ -249,7 +249,7 @@ static void files(void **state) {
 static mt_hint_index *index_text(const char *text) {
     mt_hint_index *index;
     mt_hint_table *table = read_text(text);
-    mt_assert_ok(mt_hint_index_new(table, a, b, &index, NULL));
+    mt_assert_ok(mt_hint_index_new(table, (mt_font *[]){a, b}, 0, NULL, &index, NULL));
     mt_hint_table_free(table);
     return index;
 }
@@ -304,8 +304,10 @@ static void assert_unfit(const char *text, mt_font *in_a, mt_font *in_b, int lin
     mt_hint_index *index = NULL;
     mt_hint_error error = {-1, ""};
     mt_hint_table *table = read_text(text);
-    assert_int_equal(mt_hint_index_new(table, in_a, in_b, &index, NULL), MT_BAD_HINTS);
-    assert_int_equal(mt_hint_index_new(table, in_a, in_b, &index, &error), MT_BAD_HINTS);
+    assert_int_equal(mt_hint_index_new(table, (mt_font *[]){in_a, in_b}, 0, NULL, &index, NULL),
+                     MT_BAD_HINTS);
+    assert_int_equal(mt_hint_index_new(table, (mt_font *[]){in_a, in_b}, 0, NULL, &index, &error),
+                     MT_BAD_HINTS);
     assert_null(index);
     assert_int_equal(error.line, line);
     assert_non_null(strstr(error.reason, reason));
@@ -320,7 +322,7 @@ static void places_off_the_grid(void **state) {
     assert_unfit("glyph A\npoint 0,0 0,0\npoint 0,0 -525,0", a, coarse, 3, "second font");
     mt_hint_index *index;
     mt_hint_table *table = read_text("glyph o\npoint 525,0 525,0\nglyph A\npoint 524,-524 524,-524");
-    mt_assert_ok(mt_hint_index_new(table, coarse, coarse, &index, NULL));
+    mt_assert_ok(mt_hint_index_new(table, (mt_font *[]){coarse, coarse}, 0, NULL, &index, NULL));
     mt_hint_index_free(index);
     mt_hint_table_free(table);
     mt_font_close(coarse);
@@ -371,7 +373,7 @@ static mt_status read_and_index(void) {
     mt_hint_index *index;
     mt_status status = mt_hint_table_read(text, sizeof text - 1, &table, NULL);
     if (status != MT_OK) return status;
-    status = mt_hint_index_new(table, a, b, &index, NULL);
+    status = mt_hint_index_new(table, (mt_font *[]){a, b}, 0, NULL, &index, NULL);
     mt_hint_table_free(table);
     if (status == MT_OK) mt_hint_index_free(index);
     return status;

@@ -206,6 +206,67 @@ static void wanted_of_the_first(void **state) {
     assert_int_equal(charset.unblended_count, 2);
 }
 
+/* What a person has paired comes first: the characters of A that lead there are characters of both. */
+static void as_given(void **state) {
+    (void)state;
+    static const mt_test_lookup in_a[] = {{"smcp", NULL, 1, "1 11,2 12"}};
+    static const mt_test_lookup in_b[] = {{"smcp", NULL, 1, "3 21,1 22"}};
+    pair fonts = {open_font("a.ttf", "abc", in_a, 1, NULL), open_font("b.ttf", "abx", in_b, 1, NULL)};
+    static const uint32_t rows[] = {30, 31, 3,
+                                    1,  1,  3}; /* c with a, a with x; two that no character leads to */
+    mt_given_pairs given;
+    mt_charset charset;
+    mt_assert_ok(mt_given_pairs_make(rows, 3, (mt_font *[]){fonts.a, fonts.b}, 2, &given));
+    assert_int_equal(mt_given_partner(&given, 3, 1), 1);
+    assert_int_equal(mt_given_partner(&given, 2, 1), 0);
+    assert_int_equal(mt_given_partner(NULL, 3, 1), 0);
+    assert_int_equal(mt_given_glyph(&given, (mt_font *[]){fonts.a, fonts.b}, 1, 'a'), 3);
+    assert_int_equal(mt_given_glyph(&given, (mt_font *[]){fonts.a, fonts.b}, 1, 'b'), 2);
+    mt_charset_request request = {.pairs = &given};
+    mt_assert_ok(mt_charset_make(fonts.a, fonts.b, &request, &arena, &charset));
+    static const int wanted[][2] = {{1, 3}, {2, 2}, {3, 1}, {11, 21}, {12, -1}, {30, 31}};
+    assert_pairs(&charset, wanted, 6);
+    assert_int_equal(charset.char_count, 3);
+    assert_int_equal(charset.glyph_count, charset.primary_count);
+    assert_int_equal(charset.glyphs[4].code_point, 'a'); /* a form of it */
+    mt_given_pairs_free(&given);
+    mt_font_close(fonts.a);
+    mt_font_close(fonts.b);
+}
+
+static void bad_pairs(void **state) {
+    (void)state;
+    pair fonts = {open_font("a.ttf", "abc", NULL, 0, NULL), open_font("b.ttf", "abx", NULL, 0, NULL)};
+    static const uint32_t rows[][4] = {
+        {1, 2, 1, 3}, {0, 1, 2, 1}, {1, 0, 2, 1}, {GLYPHS, 1, 2, 1}, {1, GLYPHS, 2, 1}};
+    mt_given_pairs given = {.count = -1};
+    for (int i = 0; i < 5; i++)
+        assert_int_equal(mt_given_pairs_make(rows[i], 2, (mt_font *[]){fonts.a, fonts.b}, 2, &given),
+                         MT_BAD_PARAMETER);
+    assert_int_equal(given.count, -1);
+    mt_font_close(fonts.a);
+    mt_font_close(fonts.b);
+}
+
+/* All names count, those that tell a number too. */
+static void glyphs_by_name(void **state) {
+    (void)state;
+    mt_font *named = open_font("a.ttf", "ab", NULL, 0, name_all(20, "home", 30, "house")),
+            *nameless = open_font("b.ttf", "ab", NULL, 0, NULL);
+    mt_name_index index;
+    mt_assert_ok(mt_name_index_make(named, &arena, &index));
+    assert_int_equal(mt_name_index_find(&index, "home"), 20);
+    assert_int_equal(mt_name_index_find(&index, "house"), 30);
+    assert_int_equal(mt_name_index_find(&index, "gid1"), 1);
+    assert_int_equal(mt_name_index_find(&index, "hom"), 0);
+    assert_int_equal(mt_name_index_find(&index, ""), 0);
+    mt_assert_ok(mt_name_index_make(nameless, &arena, &index));
+    assert_int_equal(index.count, 0);
+    assert_int_equal(mt_name_index_find(&index, "home"), 0);
+    mt_font_close(named);
+    mt_font_close(nameless);
+}
+
 /* Of wanted characters: what shaping makes by itself, from the start and in steps, and what a language requires; but nothing that
  * text has to ask for, nor what becomes of that. */
 static void without_alternates(void **state) {
@@ -391,6 +452,9 @@ int main(void) {
         cmocka_unit_test(by_names),
         cmocka_unit_test(all_of_the_first),
         cmocka_unit_test(wanted_of_the_first),
+        cmocka_unit_test(as_given),
+        cmocka_unit_test(bad_pairs),
+        cmocka_unit_test(glyphs_by_name),
         cmocka_unit_test(without_alternates),
         cmocka_unit_test(further_pairs),
         cmocka_unit_test(names_are_safe_and_single),
