@@ -75,12 +75,12 @@ static mt_status pair_by_text(mt_text_pairs *pairs, mt_codes *wanted, const mt_c
             chars[count++] = wanted->list[i].code_point;
     mt_status status = mt_text_pairs_find(pairs, match, gsub_a, gsub_b, chars, count, arena);
     if (status != MT_OK) return status;
-    mt_text_pairs_settle(pairs, match, wanted->list, wanted->count);
+    status = mt_text_pairs_settle(pairs, match, wanted->list, wanted->count);
+    if (status != MT_OK) return status;
     pair_codes(wanted, match);
     pair_codes(all, match);
     pair_sequences(sequences, match);
-    mt_text_pairs_apply(pairs, match);
-    return MT_OK;
+    return mt_text_pairs_apply(pairs, match);
 }
 
 static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_charset_request *request, mt_codes *wanted,
@@ -99,7 +99,8 @@ static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_charset_request *r
     mt_text_pairs_close(&pairs);
     if (status == MT_OK) status = mt_match_names(match, a, b, arena);
     if (status == MT_OK) status = mt_match_forms(match, gsub_a, &gsub_b, arena);
-    return status == MT_OK ? match->status : status;
+    if (status == MT_OK) status = match->ink_a.status;
+    return status == MT_OK ? match->ink_b.status : status;
 }
 
 /* What A's substitutions make of the glyphs that are kept. Only of wanted characters there are forms that nobody asks for. */

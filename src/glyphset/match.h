@@ -3,6 +3,8 @@
 
 #include "base/memory.h"
 #include "glyphset/codes.h"
+#include "glyphset/inks.h"
+#include "glyphset/runs.h"
 #include "glyphset/shaper.h"
 #include "glyphset/votes.h"
 #include "gsub/gsub.h"
@@ -14,12 +16,11 @@
 typedef struct mt_glyph_match {
     mt_font *a, *b;
     int count_a, count_b;
-    uint32_t *partner; /* of each of A's glyphs: B's glyph or MT_NO_PARTNER */
+    uint32_t *partner; /* of each of A's glyphs: B's glyph, of the font or composed, or MT_NO_PARTNER */
     uint32_t *
         origin; /* of each of A's glyphs: the character that leads here, or whose form it is; 0: none known */
-    bool *taken;            /* for each of B's glyphs: it is a partner */
-    uint8_t *ink_a, *ink_b; /* whether glyphs are blank, where that has been looked at (match.c) */
-    mt_status status;       /* MT_NO_MEMORY once there was none for that */
+    bool *taken; /* for each of B's glyphs: it is a partner */
+    mt_inks ink_a, ink_b;
 } mt_glyph_match;
 
 /* No glyph has a partner but .notdef. MT_NO_MEMORY. */
@@ -35,17 +36,18 @@ bool mt_match_form(mt_glyph_match *match, uint32_t a, uint32_t b, uint32_t origi
 typedef struct mt_text_pairs {
     bool found; /* there is a GSUB: otherwise shaping tells nothing */
     mt_shaper a, b;
+    mt_runs runs; /* of B's */
     mt_votes votes;
-} mt_text_pairs;
+} mt_text_pairs; /* refers to itself: it stays where it is */
 
 /* Shapes texts of the characters, which both fonts have, in ascending order. MT_NO_MEMORY. */
-mt_status mt_text_pairs_find(mt_text_pairs *pairs, const mt_glyph_match *match, const mt_gsub *gsub_a,
+mt_status mt_text_pairs_find(mt_text_pairs *pairs, mt_glyph_match *match, const mt_gsub *gsub_a,
                              const mt_gsub *gsub_b, const uint32_t *chars, int count, mt_arena *arena);
-/* Where a character by itself leads to A's own glyph for it, and in B to another than B's own, that takes its place, unless
- * A's has a partner already. */
-void mt_text_pairs_settle(mt_text_pairs *pairs, const mt_glyph_match *match, mt_code *codes, int count);
-/* Pairs each glyph of A's with that of B's that most texts lead to. */
-void mt_text_pairs_apply(const mt_text_pairs *pairs, mt_glyph_match *match);
+/* Where a character by itself leads to A's own glyph for it, and in B to another than B's own, that takes its place; to several,
+ * what they draw. Not where A's has a partner already. MT_NO_MEMORY. */
+mt_status mt_text_pairs_settle(mt_text_pairs *pairs, const mt_glyph_match *match, mt_code *codes, int count);
+/* Pairs each glyph of A's with that of B's that most texts lead to, or with what several draw. MT_NO_MEMORY. */
+mt_status mt_text_pairs_apply(const mt_text_pairs *pairs, mt_glyph_match *match);
 void mt_text_pairs_close(mt_text_pairs *pairs);
 
 /* match_names.c: pairs glyphs of the same name, of those that are in no pair yet. Names that only tell a number do not

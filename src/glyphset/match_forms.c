@@ -84,11 +84,11 @@ static bool has_free(const mt_glyph_match *match, int type, const mt_substitutio
     return false;
 }
 
-/* The partners of the inputs; false when one has none. */
+/* The partners of the inputs; false when one has none, or a composed one, which B's substitutions do not know. */
 static bool translate(const mt_glyph_match *match, const mt_substitution *a, uint16_t *inputs) {
     for (int i = 0; i < a->inputs; i++) {
         uint32_t partner = match->partner[a->glyphs[i]];
-        if (partner == MT_NO_PARTNER) return false;
+        if (partner >= (uint32_t)match->count_b) return false;
         inputs[i] = (uint16_t)partner;
     }
     return true;

@@ -102,7 +102,7 @@ static void spell_context(mt_rule_reader *reader, const mt_context *context) {
             const mt_choice *place = &context->places[i];
             fits = mt_spell_append(reader->spellings, place->glyphs[k % place->count], text, &length);
         }
-        if (fits) mt_votes_add(texts->votes, texts->a, texts->b, text, length);
+        if (fits) mt_votes_add(texts->votes, text, length);
     }
 }
 
@@ -214,14 +214,14 @@ static void read_ligatures(mt_rule_reader *reader, const mt_gsub_subtable *subta
         bool fits = true;
         for (int k = 0; k < ligature->inputs && fits; k++)
             fits = mt_spell_append(reader->spellings, ligature->glyphs[k], text, &length);
-        if (fits) mt_votes_add(texts->votes, texts->a, texts->b, text, length);
+        if (fits) mt_votes_add(texts->votes, text, length);
     }
 }
 
 mt_status mt_texts_of_rules(const mt_texts *texts, const mt_gsub *gsub, mt_arena *arena) {
     mt_spellings spellings;
     mt_rule_reader reader = {.texts = texts, .spellings = &spellings, .arena = arena, .left = TEXTS_MAX};
-    mt_status status = mt_spell(texts->a->font, gsub, texts->chars, texts->count, arena, &spellings);
+    mt_status status = mt_spell(texts->votes->a->font, gsub, texts->chars, texts->count, arena, &spellings);
     for (int i = 0; status == MT_OK && i < gsub->layout.lookup_count; i++) {
         const mt_gsub_lookup *lookup = &gsub->lookups[i];
         bool context = lookup->type == MT_GSUB_CONTEXT || lookup->type == MT_GSUB_CHAIN;

@@ -43,7 +43,7 @@ static void add_product(const mt_texts *texts, const mt_slot *slots, int count) 
             codes[i] = slots[i].codes[rest % size];
             rest /= size;
         }
-        mt_votes_add(texts->votes, texts->a, texts->b, codes, count);
+        mt_votes_add(texts->votes, codes, count);
     }
 }
 
@@ -185,8 +185,7 @@ mt_status mt_texts_of_scripts(const mt_texts *texts, const mt_gsub *gsub_a, cons
     mt_status status = list_members(texts, gsub_a, gsub_b, arena, &members, &count);
     uint32_t *codes = status == MT_OK ? mt_arena_new(arena, (size_t)count + 1, sizeof *codes) : NULL;
     if (!codes) return MT_NO_MEMORY;
-    for (int i = 0; i < texts->count; i++)
-        mt_votes_add(texts->votes, texts->a, texts->b, &texts->chars[i], 1);
+    for (int i = 0; i < texts->count; i++) mt_votes_add(texts->votes, &texts->chars[i], 1);
     for (int i = 0; i < count; i++) codes[i] = members[i].code;
     for (int i = 0, end; i < count; i = end) {
         for (end = i + 1; end < count && members[end].script == members[i].script;) end++;

@@ -7,7 +7,6 @@
 
 typedef struct mt_texts {
     mt_votes *votes;
-    mt_shaper *a, *b;
     int count;             /* of the characters that both fonts have */
     const uint32_t *chars; /* ascending */
 } mt_texts;

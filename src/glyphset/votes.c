@@ -21,7 +21,8 @@ static mt_vote *find(const mt_votes *votes, uint32_t a, uint32_t b) {
 /* Three quarters of the places are used at most. */
 static bool make_room(mt_votes *votes) {
     if (4 * (votes->count + 1) <= 3 * votes->room) return true;
-    mt_votes larger = {.count = votes->count, .room = votes->room ? 2 * votes->room : ROOM};
+    mt_votes larger = *votes;
+    larger.room = votes->room ? 2 * votes->room : ROOM;
     larger.list = mt_new((size_t)larger.room, sizeof *larger.list);
     if (!larger.list) return false;
     for (int i = 0; i < votes->room; i++)
@@ -38,7 +39,7 @@ static void vote(mt_votes *votes, uint32_t a, uint32_t b, uint32_t weight, uint3
     }
     mt_vote *place = find(votes, a, b);
     if (!place->count) {
-        *place = (mt_vote){(uint16_t)a, (uint16_t)b, 0, origin};
+        *place = (mt_vote){(uint16_t)a, b, 0, origin};
         votes->count++;
     }
     if (place->count <= UINT32_MAX / 2) place->count += weight;
@@ -46,35 +47,133 @@ static void vote(mt_votes *votes, uint32_t a, uint32_t b, uint32_t weight, uint3
 
 /* ---- texts --------------------------------------------------------------------------------------------- */
 
-/* A part of a shaped text: the glyphs from `start` up to `end`. */
-typedef struct mt_cluster_run {
-    unsigned start, end;
-} mt_cluster_run;
+/* A text as both fonts shape it, and the place of it at hand. */
+typedef struct mt_shaped_pair {
+    const uint32_t *codes;
+    mt_shaped_text a, b;
+    mt_run in_a, in_b;
+} mt_shaped_pair;
 
 static unsigned cluster_at(const mt_shaped_text *shaped, unsigned i) {
     return i < shaped->count ? shaped->glyphs[i].cluster : UINT32_MAX;
 }
 
-static void skip_cluster(const mt_shaped_text *shaped, mt_cluster_run *part) {
-    unsigned cluster = cluster_at(shaped, part->end);
-    while (part->end < shaped->count && shaped->glyphs[part->end].cluster == cluster) part->end++;
+static void skip_cluster(const mt_shaped_text *shaped, mt_run *run) {
+    unsigned cluster = cluster_at(shaped, run->end);
+    while (run->end < shaped->count && shaped->glyphs[run->end].cluster == cluster) run->end++;
 }
 
-/* Extends both parts to the next place of the text where both shaped texts have a border. */
-static void next_place(const mt_shaped_text *a, mt_cluster_run *in_a, const mt_shaped_text *b,
-                       mt_cluster_run *in_b) {
-    in_a->start = in_a->end;
-    in_b->start = in_b->end;
-    skip_cluster(a, in_a);
-    skip_cluster(b, in_b);
+/* Extends both runs to the next place of the text where both shaped texts have a border. */
+static void extend(mt_shaped_pair *text) {
+    skip_cluster(&text->a, &text->in_a);
+    skip_cluster(&text->b, &text->in_b);
     for (;;) {
-        unsigned next_a = cluster_at(a, in_a->end), next_b = cluster_at(b, in_b->end);
+        unsigned next_a = cluster_at(&text->a, text->in_a.end), next_b = cluster_at(&text->b, text->in_b.end);
         if (next_a == next_b) return;
         if (next_a < next_b)
-            skip_cluster(a, in_a);
+            skip_cluster(&text->a, &text->in_a);
         else
-            skip_cluster(b, in_b);
+            skip_cluster(&text->b, &text->in_b);
     }
+}
+
+static bool is_at_end(const mt_shaped_pair *text) {
+    return text->in_a.end >= text->a.count || text->in_b.end >= text->b.count;
+}
+
+static unsigned length_of(mt_run run) {
+    return run.end - run.start;
+}
+
+/* ---- ink ----------------------------------------------------------------------------------------------- */
+
+static unsigned count_inked(mt_inks *inks, const mt_shaped_text *shaped, mt_run run) {
+    unsigned count = 0;
+    for (unsigned i = run.start; i < run.end; i++) count += !mt_inks_blank(inks, shaped->glyphs[i].codepoint);
+    return count;
+}
+
+/* Whether one font draws something in the run and the other nothing. */
+static bool differ(const mt_votes *votes, const mt_shaped_pair *text, mt_run in_a, mt_run in_b) {
+    return (count_inked(votes->ink_a, &text->a, in_a) > 0) != (count_inked(votes->ink_b, &text->b, in_b) > 0);
+}
+
+/* The next place: of a text with several it takes in what follows as long as one font has no ink for what the other has, and
+ * where nothing follows, it is not told. */
+static bool next_place(const mt_votes *votes, mt_shaped_pair *text) {
+    text->in_a.start = text->in_a.end;
+    text->in_b.start = text->in_b.end;
+    extend(text);
+    bool alone = text->in_a.start == 0 && is_at_end(text);
+    mt_run last_a = text->in_a, last_b = text->in_b;
+    while (!alone && differ(votes, text, last_a, last_b)) {
+        if (is_at_end(text)) return false;
+        last_a.start = text->in_a.end;
+        last_b.start = text->in_b.end;
+        extend(text);
+        last_a.end = text->in_a.end;
+        last_b.end = text->in_b.end;
+    }
+    return true;
+}
+
+/* Whether both runs have as many glyphs, and the i-th ones are both blank or both inked, for all of them. */
+static bool same_inks(const mt_votes *votes, const mt_shaped_pair *text) {
+    unsigned length = length_of(text->in_a);
+    if (length != length_of(text->in_b)) return false;
+    for (unsigned i = 0; i < length && length > 1; i++) {
+        bool blank_a = mt_inks_blank(votes->ink_a, text->a.glyphs[text->in_a.start + i].codepoint);
+        bool blank_b = mt_inks_blank(votes->ink_b, text->b.glyphs[text->in_b.start + i].codepoint);
+        if (blank_a != blank_b) return false;
+    }
+    return true;
+}
+
+/* ---- votes --------------------------------------------------------------------------------------------- */
+
+static void vote_each(mt_votes *votes, const mt_shaped_pair *text) {
+    unsigned length = length_of(text->in_a);
+    for (unsigned i = 0; i < length; i++) {
+        const hb_glyph_info_t *a = &text->a.glyphs[text->in_a.start + i];
+        const hb_glyph_info_t *b = &text->b.glyphs[text->in_b.start + i];
+        if (mt_shaper_same_class(votes->a, a->codepoint, votes->b, b->codepoint))
+            vote(votes, a->codepoint, b->codepoint, length == 1 ? ALONE : 1, text->codes[a->cluster]);
+    }
+}
+
+/* For what all of B's glyphs draw, or for a blank, in the room that B has at the glyph's place; in the room of all of them where A
+ * has one glyph. */
+static void vote_drawing(mt_votes *votes, const mt_shaped_pair *text, unsigned i) {
+    const hb_glyph_info_t *a = &text->a.glyphs[text->in_a.start + i];
+    unsigned place = text->in_b.start + i;
+    uint32_t number;
+    mt_status status;
+    if (mt_inks_blank(votes->ink_a, a->codepoint))
+        status = mt_runs_add_blank(votes->runs, &text->b, place, &number);
+    else if (length_of(text->in_a) == 1)
+        status = mt_runs_add(votes->runs, &text->b, text->in_b, MT_RUN_WHOLE, &number);
+    else
+        status = mt_runs_add(votes->runs, &text->b, text->in_b, (int)place, &number);
+    votes->failed |= status != MT_OK;
+    if (status == MT_OK && number != MT_NO_DRAWING)
+        vote(votes, a->codepoint, number, length_of(text->in_a) == 1 ? ALONE : 1, text->codes[a->cluster]);
+}
+
+/* Whether A's run may stand for what B's draws: it has one inked glyph, and is one glyph or as many as B has; marks stand for
+ * marks. */
+static bool is_for_drawing(const mt_votes *votes, const mt_shaped_pair *text) {
+    unsigned length = length_of(text->in_a);
+    if (length != 1 && length != length_of(text->in_b)) return false;
+    if (count_inked(votes->ink_a, &text->a, text->in_a) != 1) return false;
+    return !votes->a->has_classes || !votes->b->has_classes ||
+           mt_run_is_mark(votes->a, &text->a, text->in_a) == mt_run_is_mark(votes->b, &text->b, text->in_b);
+}
+
+static void vote_place(mt_votes *votes, const mt_shaped_pair *text) {
+    if (same_inks(votes, text))
+        vote_each(votes, text);
+    else if (is_for_drawing(votes, text))
+        for (unsigned i = 0; i < length_of(text->in_a); i++) vote_drawing(votes, text, i);
 }
 
 static bool has_notdef(const mt_shaped_text *shaped) {
@@ -83,24 +182,13 @@ static bool has_notdef(const mt_shaped_text *shaped) {
     return shaped->count == 0;
 }
 
-void mt_votes_add(mt_votes *votes, mt_shaper *a, mt_shaper *b, const uint32_t *codes, int count) {
-    mt_shaped_text in_a = mt_shaper_shape(a, codes, count);
-    if (has_notdef(&in_a)) return;
-    mt_shaped_text in_b = mt_shaper_shape(b, codes, count);
-    if (has_notdef(&in_b)) return;
-    mt_cluster_run part_a = {0, 0}, part_b = {0, 0};
-    while (part_a.end < in_a.count && part_b.end < in_b.count) {
-        next_place(&in_a, &part_a, &in_b, &part_b);
-        unsigned length = part_a.end - part_a.start;
-        if (length != part_b.end - part_b.start) continue;
-        for (unsigned i = 0; i < length; i++) {
-            uint32_t glyph_a = in_a.glyphs[part_a.start + i].codepoint;
-            uint32_t glyph_b = in_b.glyphs[part_b.start + i].codepoint;
-            if (mt_shaper_same_class(a, glyph_a, b, glyph_b))
-                vote(votes, glyph_a, glyph_b, length == 1 ? ALONE : 1,
-                     codes[in_a.glyphs[part_a.start + i].cluster]);
-        }
-    }
+void mt_votes_add(mt_votes *votes, const uint32_t *codes, int count) {
+    mt_shaped_pair text = {.codes = codes, .a = mt_shaper_shape(votes->a, codes, count)};
+    if (has_notdef(&text.a)) return;
+    text.b = mt_shaper_shape(votes->b, codes, count);
+    if (has_notdef(&text.b)) return;
+    while (!is_at_end(&text))
+        if (next_place(votes, &text)) vote_place(votes, &text);
 }
 
 /* ---- the result ---------------------------------------------------------------------------------------- */

@@ -110,7 +110,26 @@ typedef struct mt_references {
     mt_reference *list;
 } mt_references;
 
-/* What a TrueType font builds the glyph from, in the arena: glyphs that, moved and drawn together, are its outline point
+/* What a TrueType font builds the glyph from, in the arena or the font: glyphs that, moved and drawn together, are its outline point
  * by point. Empty for a glyph that is not built so: one with contours of its own, one whose references are scaled or
  * turned, one of another format. MT_NO_MEMORY. Not for two threads at once. */
 mt_status mt_font_references(mt_font *font, uint32_t glyph, mt_arena *arena, mt_references *references);
+
+/* Glyphs that are drawn together, each moved, and stand in a line as one: what a text leads to where another font has one
+ * glyph. */
+typedef struct mt_composed {
+    mt_references parts; /* none for a blank */
+    int advance;         /* font units */
+    uint32_t like;       /* the glyph that it stands in a line like: down a vertical one, and in kerning */
+} mt_composed;
+
+/* Composed glyphs have numbers from here on, which no glyph of a font has. */
+enum { MT_COMPOSED_FIRST = 0x10000 };
+
+/* Gives the drawing a number, for which the font gives an outline, advances and references from then on: the parts are copied.
+ * A drawing has one number, however often it is asked for. Not for two threads at once. MT_NO_MEMORY; MT_BAD_GLYPH for glyphs
+ * that the font has not; MT_TOO_LARGE when it has more of them than any writing needs. */
+mt_status mt_font_compose(mt_font *font, const mt_composed *composed, uint32_t *glyph);
+
+/* NULL for a number that is none of these. Belongs to the font. */
+const mt_composed *mt_font_composed(const mt_font *font, uint32_t glyph);

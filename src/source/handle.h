@@ -50,6 +50,9 @@ struct mt_font {
     int form_count;
     mt_form *forms;
 
+    mt_composed *composed; /* composed.c */
+    int composed_count, composed_room;
+
     /* metrics_file.c: the file beside a Type 1 font, NULL where none was looked for; and whether it could not be read. */
     char *metrics_path;
     uint8_t *metrics_bytes;
@@ -80,6 +83,11 @@ uint32_t mt_font_form(const mt_font *font, uint32_t code_point, uint32_t glyph);
 /* names.c: fills font->names. MT_NO_MEMORY. */
 mt_status mt_font_read_names(mt_font *font);
 void mt_font_free_names(mt_font *font);
+
+/* composed.c: the parts' outlines, moved. As mt_font_outline. */
+mt_status mt_composed_outline(mt_font *font, const mt_composed *composed, mt_arena *arena,
+                              mt_outline *outline);
+void mt_font_free_composed(mt_font *font);
 
 /* metrics_file.c: reads the kerning beside a Type 1 font; only within the guard. What cannot be read is left out.
  * MT_NO_MEMORY. */

@@ -101,6 +101,7 @@ mt_status mt_font_open(const char *spec, mt_font **font) {
 void mt_font_close(mt_font *font) {
     if (!font) return;
     mt_font_free_names(font);
+    mt_font_free_composed(font);
     mt_font_discard(font);
     mt_free(font->forms);
     mt_free(font->metrics_path);

@@ -145,8 +145,10 @@ static mt_status load_advance(mt_font *font, void *user) {
 
 mt_status mt_font_advance(mt_font *font, uint32_t glyph, double *advance) {
     mt_load wanted = {.glyph = glyph};
+    const mt_composed *composed = mt_font_composed(font, glyph);
     if (!font->face) return MT_NO_MEMORY;
-    mt_status status = mt_font_guard(font, load_advance, &wanted);
+    mt_status status = composed ? MT_OK : mt_font_guard(font, load_advance, &wanted);
+    if (composed) wanted.advance = composed->advance;
     if (status == MT_OK) *advance = (double)wanted.advance * MT_EM / font->units;
     return status;
 }
@@ -155,9 +157,14 @@ mt_status mt_font_outline(mt_font *font, uint32_t glyph, mt_arena *arena, mt_out
                           double *advance) {
     mt_load wanted = {.glyph = glyph};
     mt_outline read;
+    const mt_composed *composed = mt_font_composed(font, glyph);
     if (!font->face) return MT_NO_MEMORY;
-    mt_status status = mt_font_guard(font, load, &wanted);
-    if (status == MT_OK) status = decompose(&font->face->glyph->outline, font->units, arena, &read);
+    mt_status status = composed ? MT_OK : mt_font_guard(font, load, &wanted);
+    if (composed)
+        status = mt_composed_outline(font, composed, arena, &read);
+    else if (status == MT_OK)
+        status = decompose(&font->face->glyph->outline, font->units, arena, &read);
+    if (composed) wanted.advance = composed->advance;
     if (status != MT_OK) return status;
     *outline = read;
     *advance = (double)wanted.advance * MT_EM / font->units;

@@ -92,7 +92,10 @@ static mt_status read_references(mt_font *font, void *user) {
 
 mt_status mt_font_references(mt_font *font, uint32_t glyph, mt_arena *arena, mt_references *references) {
     mt_reader reader = {.glyph = glyph, .arena = arena};
+    const mt_composed *composed = mt_font_composed(font, glyph);
     if (!font->face) return MT_NO_MEMORY;
+    if (composed) *references = composed->parts;
+    if (composed) return MT_OK;
     bool truetype = mt_font_has_table(font, MT_TAG('g', 'l', 'y', 'f'));
     mt_status status = truetype ? mt_font_guard(font, read_references, &reader) : MT_OK;
     if (status == MT_OK) *references = reader.found;

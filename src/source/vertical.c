@@ -102,7 +102,9 @@ static mt_status read_vertical(mt_font *font, void *user) {
 
 mt_status mt_font_vertical(mt_font *font, uint32_t glyph, mt_vertical *vertical) {
     const mt_metrics *lines = &font->metrics;
-    mt_wanted wanted = {glyph, {lines->typo_ascender - lines->typo_descender, lines->typo_ascender}};
+    const mt_composed *composed = mt_font_composed(font, glyph);
+    mt_wanted wanted = {composed ? composed->like : glyph,
+                        {lines->typo_ascender - lines->typo_descender, lines->typo_ascender}};
     if (!font->face) return MT_NO_MEMORY;
     mt_status status = lines->vertical ? mt_font_guard(font, read_vertical, &wanted) : MT_OK;
     if (status != MT_OK) return status;

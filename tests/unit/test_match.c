@@ -2,9 +2,11 @@
 #include "glyphset/charset.h"
 #include "source/glyph_names.h"
 
+#include <math.h>
 #include <string.h>
 #include <time.h>
 
+#include "geometry/limits.h"
 #include "glyphset/new_names.h"
 #include "gsub/subset.h"
 #include "layout/lookup_builder.h"
@@ -130,7 +132,8 @@ static void by_contexts(void **state) {
 }
 
 /* The same text leads to glyphs that one font makes by 'ccmp' in one step and the other in two, by other features and other
- * types of lookups; and to a character's own glyph in A where B replaces it. */
+ * types of lookups; and to a character's own glyph in A where B replaces it, or takes it
+ * apart. */
 static void by_texts(void **state) {
     (void)state;
     static const mt_test_lookup in_a[] = {
@@ -142,10 +145,46 @@ static void by_texts(void **state) {
                                           {"    ", NULL, 2, "3 24 25"}};
     pair fonts = {open_font("a.ttf", "abcdef", in_a, 3, NULL), open_font("b.ttf", "fedcba", in_b, 5, NULL)};
     mt_charset charset = make(fonts, "", MT_GLYPHS_BOTH);
-    static const int wanted[][2] = {{1, 6},  {2, 5},   {3, 4},   {4, 3},  {5, 2},
-                                    {6, 26}, {11, 23}, {12, 24}, {13, 25}};
+    static const int wanted[][2] = {
+        {1, MT_COMPOSED_FIRST}, {2, 5}, {3, 4}, {4, 3}, {5, 2}, {6, 26}, {11, 23}, {12, 24}, {13, 25}};
     assert_pairs(&charset, wanted, 9);
     assert_int_equal(charset.unblended_count, 0);
+}
+
+/* A ligature of A's goes with what B draws of its letters, each in its place; a glyph that B draws by one glyph all the same with
+ * that one. */
+static void by_what_several_draw(void **state) {
+    (void)state;
+    static const mt_test_lookup in_a[] = {{"liga", NULL, 4, "1 2 11,3 4 12"}, {"ccmp", NULL, 2, "5 13 14"}};
+    static const mt_test_lookup in_b[] = {{"liga", NULL, 4, "4 3 21"}};
+    pair fonts = {open_font("a.ttf", "abcdef", in_a, 2, NULL), open_font("b.ttf", "fedcba", in_b, 1, NULL)};
+    mt_charset charset;
+    mt_charset_request request = {.set = MT_GLYPHS_BOTH};
+    mt_assert_ok(mt_charset_make(fonts.a, fonts.b, &request, &arena, &charset));
+    static const int wanted[][2] = {
+        {1, 6},   {2, 5},   {3, 4},  {4, 3}, {5, 2}, {6, 1}, {11, MT_COMPOSED_FIRST},
+        {12, 21}, {13, -1}, {14, -1}};
+    assert_pairs(&charset, wanted, 10);
+    const mt_composed *composed = mt_font_composed(fonts.b, charset.glyphs[7].b);
+    double first, second, both;
+    mt_assert_ok(mt_font_advance(fonts.b, 6, &first));
+    mt_assert_ok(mt_font_advance(fonts.b, 5, &second));
+    mt_assert_ok(mt_font_advance(fonts.b, charset.glyphs[7].b, &both));
+    assert_true(fabs(both - first - second) < 0.5);
+    assert_int_equal(composed->parts.count, 2);
+    assert_int_equal(composed->like, 6);
+    assert_int_equal(composed->parts.list[0].glyph, 6);
+    assert_int_equal(composed->parts.list[0].dx, 0);
+    assert_int_equal(composed->parts.list[1].glyph, 5);
+    assert_true(fabs(composed->parts.list[1].dx * (double)MT_EM / mt_font_units(fonts.b) - first) < 0.5);
+    mt_outline outline, one;
+    mt_assert_ok(mt_font_outline(fonts.b, charset.glyphs[7].b, &arena, &outline, &both));
+    mt_assert_ok(mt_font_outline(fonts.b, 5, &arena, &one, &second));
+    assert_int_equal(outline.count, 2);
+    assert_true(fabs(outline.contours[1].segments[0].end.x - one.contours[0].segments[0].end.x - first) <= 1);
+    assert_int_equal(outline.contours[1].segments[0].end.y, one.contours[0].segments[0].end.y);
+    mt_font_close(fonts.a);
+    mt_font_close(fonts.b);
 }
 
 /* 'aalt' numbers its alternates in each font in its own way: they are no pairs, and it alone keeps no glyph. */
@@ -283,9 +322,9 @@ static void without_alternates(void **state) {
         mt_assert_ok(mt_charset_make(fonts.a, fonts.b, &request, &arena, &charset));
         mt_font_close(fonts.a);
         mt_font_close(fonts.b);
-        static const int by_itself[][2] = {{1, 1}, {2, 2}, {13, -1}, {15, -1}};
-        static const int all[][2] = {{1, 1},   {2, 2},   {11, -1}, {12, -1},
-                                     {13, -1}, {15, -1}, {16, -1}, {17, -1}};
+        static const int by_itself[][2] = {{1, 1}, {2, 2}, {13, -1}, {15, MT_COMPOSED_FIRST}};
+        static const int all[][2] = {{1, 1},   {2, 2},  {11, -1}, {12, -1}, {13, -1}, {15, MT_COMPOSED_FIRST},
+                                     {16, -1}, {17, -1}};
         assert_pairs(&charset, alternates ? all : by_itself, alternates ? 8 : 4);
         assert_int_equal(charset.left_count, alternates ? 0 : 4);
         assert_int_equal(charset.left_tag_count, alternates ? 0 : 2);
@@ -448,6 +487,7 @@ int main(void) {
         cmocka_unit_test(by_languages),
         cmocka_unit_test(by_contexts),
         cmocka_unit_test(by_texts),
+        cmocka_unit_test(by_what_several_draw),
         cmocka_unit_test(not_by_numbers),
         cmocka_unit_test(by_names),
         cmocka_unit_test(all_of_the_first),
