@@ -68,19 +68,19 @@ static mt_status blend_lookup(mt_anchor_job *job, int order, const mt_lookup *in
     return status == MT_OK ? blend_subtables(job, in_a, rivals, made) : status;
 }
 
-/* A lookup that contexts call: apart from the one that features have, if they have it. */
+/* A lookup that A's contexts call: apart from the one that features have, if they have it. */
 static mt_status blend_called(mt_anchor_job *job, const mt_called_lookup *call, const mt_lookup *in_a,
                               mt_anchor_lookup *made) {
     mt_rivals rivals[MT_STOPS_MAX] = {0};
     mt_status status = MT_OK;
-    made->head = head_of(MT_CALLED_ORDER + call->lookup, in_a);
+    made->head = head_of(MT_CALLED_ORDER + call->called_as, in_a);
     made->head.members = call->members;
     made->head.member_count = call->member_count;
     mt_arena_reset(&job->scratch);
     for (int k = 1; k < job->glyphs->font_count && status == MT_OK; k++)
-        status = call->others[k] >= 0 ? mt_rivals_of(job, k, call->others[k], &rivals[k])
-                                      : mt_rivals_find(job, k, &made->head, &rivals[k]);
-    made->head.called_as = call->lookup + 1;
+        status = call->in_fonts[k] >= 0 ? mt_rivals_of(job, k, call->in_fonts[k], &rivals[k])
+                                        : mt_rivals_find(job, k, &made->head, &rivals[k]);
+    made->head.called_as = call->called_as;
     made->head.member_count = 0;
     return status == MT_OK ? blend_subtables(job, in_a, rivals, made) : status;
 }
@@ -98,7 +98,8 @@ static mt_status blend_lookups(mt_anchor_job *job, const mt_called_lookup *calls
     if (!anchors->lookups) return MT_NO_MEMORY;
     for (int i = 0; i < lookup_count + call_count; i++) {
         const mt_called_lookup *call = i < lookup_count ? NULL : &calls[i - lookup_count];
-        mt_lookup in_a = mt_layout_lookup(layout, call ? call->lookup : i);
+        if (call && call->font) continue;
+        mt_lookup in_a = mt_layout_lookup(layout, call ? call->in_fonts[0] : i);
         mt_anchor_lookup made = {0};
         if (!has_anchors(in_a.type) || !mt_anchor_spend(job, 1)) continue;
         mt_status status = call ? blend_called(job, call, &in_a, &made) : blend_lookup(job, i, &in_a, &made);

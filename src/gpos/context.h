@@ -1,9 +1,9 @@
-/* Contextual positioning of the first font's (OpenType spec, "Sequence context" and "Chained sequence context"; GPOS lookup
+/* Contextual positioning of one of the fonts (OpenType spec, "Sequence context" and "Chained sequence context"; GPOS lookup
  * types 7 and 8), for the new font's glyphs.
  *
- * Rules of formats 1 and 2 become rules of classes: of format 1, each of the first font's glyphs is a class by itself, with
+ * Rules of formats 1 and 2 become rules of classes: of format 1, each of the font's glyphs is a class by itself, with
  * all new glyphs that are it. Format 3 stays. A rule is left out when one of its places has no glyph any more. What a rule
- * calls is told by the first font's number of the lookup. */
+ * calls is told by what the lookup is called as. */
 #pragma once
 
 #include "glyphset/places.h"
@@ -16,8 +16,8 @@ enum { MT_CONTEXT = 7, MT_CHAINED_CONTEXT = 8 };
 enum { MT_BEFORE, MT_INPUT, MT_AFTER, MT_SEQUENCES };
 
 typedef struct mt_context_call {
-    uint16_t at;     /* place in the input */
-    uint16_t lookup; /* the first font's */
+    uint16_t at;   /* place in the input */
+    int called_as; /* lookup_builder.h */
 } mt_context_call;
 
 typedef struct mt_glyph_list {
@@ -53,8 +53,10 @@ typedef struct mt_context_subtable {
 
 typedef struct mt_context_reader {
     const mt_layout *layout;
-    const mt_font_glyphs *glyphs;
-    const bool *has; /* of each of the first font's glyphs, whether it is in the new font */
+    const uint32_t *own; /* of each new glyph, the font's */
+    int glyph_count;     /* of the new font */
+    int first_call;      /* its lookup 0 is called as the one after this */
+    const bool *has;     /* of each of the font's glyphs, whether it is in the new font */
     mt_arena *arena, *scratch;
     int64_t steps; /* that are left; when none are, the rest is left out */
 } mt_context_reader;

@@ -60,13 +60,13 @@ void mt_context_reach_feature(const mt_layout *layout, int system, uint32_t tag,
 
 /* ---- classes ------------------------------------------------------------------------------------------- */
 
-/* How the numbers of a rule become classes: in format 1 the first font's glyphs are numbered as they come; in format 2
+/* How the numbers of a rule become classes: in format 1 the font's glyphs are numbered as they come; in format 2
  * they are classes, of which those are left that a new glyph has. */
 typedef struct mt_class_map {
     mt_context_reader *reader;
     bool by_glyph;
     mt_bytes class_defs[MT_SEQUENCES]; /* format 2 */
-    uint16_t *class_of[MT_SEQUENCES];  /* format 1: of each of the first font's glyphs; 0 for none */
+    uint16_t *class_of[MT_SEQUENCES];  /* format 1: of each of the font's glyphs; 0 for none */
     int class_count[MT_SEQUENCES];     /* format 1: in use */
     bool *present[MT_SEQUENCES];       /* format 2: of each class */
 } mt_class_map;
@@ -81,9 +81,9 @@ static int class_of(mt_class_map *map, int sequence, unsigned number) {
 
 /* The class of a new glyph. */
 static unsigned class_of_new(const mt_class_map *map, int sequence, int glyph) {
-    uint32_t in_a = map->reader->glyphs->of[0][glyph];
-    if (!map->by_glyph) return mt_class_find(map->class_defs[sequence], in_a);
-    return in_a < GLYPH_NUMBERS ? map->class_of[sequence][in_a] : 0;
+    uint32_t own = map->reader->own[glyph];
+    if (!map->by_glyph) return mt_class_find(map->class_defs[sequence], own);
+    return own < GLYPH_NUMBERS ? map->class_of[sequence][own] : 0;
 }
 
 static mt_status open_map(mt_context_reader *reader, mt_bytes table, bool chained, mt_class_map *map) {
@@ -94,13 +94,13 @@ static mt_status open_map(mt_context_reader *reader, mt_bytes table, bool chaine
         if (!map->class_of[s] || !map->present[s]) return MT_NO_MEMORY;
         if (map->by_glyph) continue;
         map->class_defs[s] = mt_ot_follow(table, chained ? 4 + 2 * (size_t)s : 4);
-        for (int i = 0; i < reader->glyphs->glyph_count; i++) map->present[s][class_of_new(map, s, i)] = true;
+        for (int i = 0; i < reader->glyph_count; i++) map->present[s][class_of_new(map, s, i)] = true;
     }
     return MT_OK;
 }
 
 static mt_status list_classes(const mt_class_map *map, mt_arena *arena, mt_context_subtable *subtable) {
-    int count = map->reader->glyphs->glyph_count;
+    int count = map->reader->glyph_count;
     for (int s = 0; s < MT_SEQUENCES; s++) {
         int listed = 0;
         for (int i = 0; i < count; i++) listed += class_of_new(map, s, i) != 0;
@@ -118,15 +118,15 @@ static mt_status list_classes(const mt_class_map *map, mt_arena *arena, mt_conte
 
 /* ---- rules of classes ---------------------------------------------------------------------------------- */
 
-static mt_status read_calls(mt_bytes table, const mt_rule_layout *found, mt_arena *arena,
+static mt_status read_calls(const mt_context_reader *reader, mt_bytes table, const mt_rule_layout *found,
                             mt_context_rule *rule) {
-    rule->calls = mt_arena_new(arena, (size_t)found->call_count + 1, sizeof *rule->calls);
+    rule->calls = mt_arena_new(reader->arena, (size_t)found->call_count + 1, sizeof *rule->calls);
     if (!rule->calls) return MT_NO_MEMORY;
     rule->call_count = found->call_count;
     for (int i = 0; i < found->call_count; i++) {
         size_t at = found->calls_at + 4 * (size_t)i;
-        rule->calls[i] =
-            (mt_context_call){(uint16_t)mt_ot_u16(table, at), (uint16_t)mt_ot_u16(table, at + 2)};
+        rule->calls[i] = (mt_context_call){(uint16_t)mt_ot_u16(table, at),
+                                           reader->first_call + 1 + (int)mt_ot_u16(table, at + 2)};
     }
     return MT_OK;
 }
@@ -150,7 +150,7 @@ static mt_status read_rule(mt_class_map *map, mt_bytes table, bool chained, int 
             rule.classes[s][i] = (uint16_t) class;
         }
     }
-    mt_status status = read_calls(table, &found, arena, &rule);
+    mt_status status = read_calls(map->reader, table, &found, &rule);
     if (status == MT_OK) set->rules[set->count++] = rule;
     return status;
 }
@@ -202,15 +202,15 @@ static mt_status read_sets(mt_class_map *map, mt_bytes table, bool chained, mt_c
 
 /* The new glyphs of a coverage. */
 static mt_status list_covered(mt_context_reader *reader, mt_bytes coverage, mt_glyph_list *list) {
-    int count = reader->glyphs->glyph_count, listed = 0;
-    const uint32_t *in_a = reader->glyphs->of[0];
+    int count = reader->glyph_count, listed = 0;
+    const uint32_t *own = reader->own;
     *list = (mt_glyph_list){0};
     if (!spend(&reader->steps, count)) return MT_OK;
-    for (int i = 0; i < count; i++) listed += mt_coverage_find(coverage, in_a[i]) >= 0;
+    for (int i = 0; i < count; i++) listed += mt_coverage_find(coverage, own[i]) >= 0;
     list->glyphs = mt_arena_new(reader->arena, (size_t)listed + 1, sizeof *list->glyphs);
     if (!list->glyphs) return MT_NO_MEMORY;
     for (int i = 0; i < count; i++)
-        if (mt_coverage_find(coverage, in_a[i]) >= 0) list->glyphs[list->count++] = (uint16_t)i;
+        if (mt_coverage_find(coverage, own[i]) >= 0) list->glyphs[list->count++] = (uint16_t)i;
     return MT_OK;
 }
 
@@ -234,7 +234,7 @@ static mt_status read_lists(mt_context_reader *reader, mt_bytes table, bool chai
     subtable->sets = mt_arena_new(reader->arena, 1, sizeof *subtable->sets);
     mt_context_rule *kept = mt_arena_new(reader->arena, 1, sizeof *kept);
     if (!subtable->sets || !kept) return MT_NO_MEMORY;
-    mt_status status = read_calls(table, &layout, reader->arena, &rule);
+    mt_status status = read_calls(reader, table, &layout, &rule);
     *kept = rule;
     subtable->sets[0] = (mt_context_set){1, kept};
     *found = status == MT_OK;
@@ -247,7 +247,7 @@ static mt_status read_classes(mt_context_reader *reader, mt_bytes table, bool ch
                               mt_context_subtable *subtable, bool *found) {
     mt_class_map map;
     mt_arena_place place = mt_arena_mark(reader->scratch);
-    if (!spend(&reader->steps, GLYPH_NUMBERS / 16 + 4 * (int64_t)reader->glyphs->glyph_count)) return MT_OK;
+    if (!spend(&reader->steps, GLYPH_NUMBERS / 16 + 4 * (int64_t)reader->glyph_count)) return MT_OK;
     mt_status status = open_map(reader, table, chained, &map);
     if (status == MT_OK) status = list_covered(reader, mt_ot_follow(table, 2), &subtable->first);
     if (status == MT_OK) status = read_sets(&map, table, chained, subtable);

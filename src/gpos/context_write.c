@@ -1,15 +1,25 @@
 /* Contexts written: rules of classes in format 2, rules of lists of glyphs in format 3. */
 #include "gpos/context.h"
 
+/* The numbers that lookups are called by. */
+typedef struct mt_called_numbers {
+    int most;
+    bool *there; /* of each up to the largest, whether a lookup has it */
+} mt_called_numbers;
+
 /* A lookup in the making. */
 typedef struct mt_context_writer {
     bool chained;
-    const bool *there; /* of each number that lookups are called by, whether there is one */
+    const mt_called_numbers *called;
     mt_arena *arena;
     mt_subtables subtables;
     int call_count, call_room;
     mt_lookup_call *calls;
 } mt_context_writer;
+
+static bool is_there(const mt_context_writer *writer, int called_as) {
+    return called_as <= writer->called->most && writer->called->there[called_as];
+}
 
 static mt_status add_call(mt_context_writer *writer, size_t at, int called_as) {
     mt_lookup_call *grown = mt_arena_grow_list(writer->arena, writer->calls, writer->call_count,
@@ -25,9 +35,9 @@ static mt_status write_calls(mt_context_writer *writer, const mt_context_rule *r
                              mt_table *table) {
     mt_status status = MT_OK;
     for (int i = 0; i < rule->call_count && status == MT_OK; i++) {
-        if (!writer->there[rule->calls[i].lookup]) continue;
+        if (!is_there(writer, rule->calls[i].called_as)) continue;
         mt_table_16(table, rule->calls[i].at);
-        status = add_call(writer, from + table->length, rule->calls[i].lookup + 1);
+        status = add_call(writer, from + table->length, rule->calls[i].called_as);
         mt_table_16(table, 0);
     }
     return status;
@@ -35,7 +45,7 @@ static mt_status write_calls(mt_context_writer *writer, const mt_context_rule *r
 
 static int count_calls(const mt_context_writer *writer, const mt_context_rule *rule) {
     int count = 0;
-    for (int i = 0; i < rule->call_count; i++) count += writer->there[rule->calls[i].lookup];
+    for (int i = 0; i < rule->call_count; i++) count += is_there(writer, rule->calls[i].called_as);
     return count;
 }
 
@@ -190,10 +200,10 @@ static mt_status write_lists(mt_context_writer *writer, const mt_context_subtabl
 
 /* ---- lookups ------------------------------------------------------------------------------------------- */
 
-static mt_status write_lookup(const mt_context_lookup *lookup, const bool *there, mt_arena *arena,
-                              mt_lookup_builders *made) {
+static mt_status write_lookup(const mt_context_lookup *lookup, const mt_called_numbers *called,
+                              mt_arena *arena, mt_lookup_builders *made) {
     mt_context_writer writer = {
-        .chained = lookup->head.type == MT_CHAINED_CONTEXT, .there = there, .arena = arena};
+        .chained = lookup->head.type == MT_CHAINED_CONTEXT, .called = called, .arena = arena};
     mt_status status = MT_OK;
     for (int i = 0; i < lookup->count && status == MT_OK; i++) {
         const mt_context_subtable *subtable = &lookup->subtables[i];
@@ -208,17 +218,30 @@ static mt_status write_lookup(const mt_context_lookup *lookup, const bool *there
     return status == MT_OK ? mt_lookup_builders_add(made, &head, arena) : status;
 }
 
+/* Marks the numbers that the lookups are called by; counts them only where `there` is NULL. */
+static int list_called(const mt_contexts *contexts, const mt_lookup_builders *made, bool *there) {
+    int most = 0;
+    for (int i = 0; i < made->count; i++) {
+        int called_as = made->lookups[i].subtable_count ? made->lookups[i].called_as : 0;
+        if (there) there[called_as] = called_as > 0;
+        if (called_as > most) most = called_as;
+    }
+    for (int i = 0; i < contexts->count; i++) {
+        int called_as = contexts->list[i].head.called_as;
+        if (there) there[called_as] = called_as > 0;
+        if (called_as > most) most = called_as;
+    }
+    return most;
+}
+
 mt_status mt_contexts_write(const mt_contexts *contexts, mt_arena *arena, mt_lookup_builders *made) {
-    enum { NUMBERS = 65537 };
     mt_status status = MT_OK;
-    bool *there = contexts->count ? mt_arena_new(arena, NUMBERS, sizeof *there) : NULL;
-    if (contexts->count && !there) return MT_NO_MEMORY;
-    for (int i = 0; contexts->count && i < made->count; i++)
-        if (made->lookups[i].called_as && made->lookups[i].subtable_count)
-            there[made->lookups[i].called_as - 1] = true;
-    for (int i = 0; i < contexts->count; i++)
-        if (contexts->list[i].head.called_as) there[contexts->list[i].head.called_as - 1] = true;
+    if (contexts->count == 0) return MT_OK;
+    mt_called_numbers called = {list_called(contexts, made, NULL), NULL};
+    called.there = mt_arena_new(arena, (size_t)called.most + 1, sizeof *called.there);
+    if (!called.there) return MT_NO_MEMORY;
+    list_called(contexts, made, called.there);
     for (int i = 0; i < contexts->count && status == MT_OK; i++)
-        status = write_lookup(&contexts->list[i], there, arena, made);
+        status = write_lookup(&contexts->list[i], &called, arena, made);
     return status;
 }

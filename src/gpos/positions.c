@@ -52,7 +52,7 @@ static mt_status open_source(mt_font *font, int units, mt_arena *arena, mt_posit
 typedef struct mt_position_job {
     mt_position_source sources[MT_STOPS_MAX];
     mt_feature_sources features;
-    mt_font_glyphs glyphs;
+    mt_font_glyphs glyphs; /* for each composed one, the glyph that it stands in a line like */
     mt_arena *arena;
     mt_arena scratch;   /* of the tables, and what is read of them */
     int64_t pair_steps; /* that are left */
@@ -62,12 +62,11 @@ typedef struct mt_position_job {
 
 /* Of a lookup that contexts call. */
 static mt_lookup_builder called_head(const mt_position_job *job, const mt_called_lookup *called) {
-    mt_lookup in_a = mt_layout_lookup(&job->sources[0].layout, called->lookup);
-    return (mt_lookup_builder){.order = MT_CALLED_ORDER + called->lookup,
-                               .type = in_a.type,
-                               .flag = in_a.flag,
-                               .mark_set = in_a.mark_set,
-                               .called_as = called->lookup + 1};
+    mt_lookup_builder head =
+        mt_context_head(&job->sources[called->font].layout, called->font, called->in_fonts[called->font]);
+    head.order = MT_CALLED_ORDER + called->called_as;
+    head.called_as = called->called_as;
+    return head;
 }
 
 static int count_called(const mt_position_job *job, int type) {
@@ -140,28 +139,25 @@ static mt_status prepare_pairs(mt_position_job *job, const mt_feature_job *featu
     return status;
 }
 
-/* In a font where nothing goes with it, the pairs are the first font's. What is too large, which no font's is, is left out. */
+/* What is too large, which no font's is, is left out. */
 static mt_status prepare_called_pairs(mt_position_job *job, const mt_called_lookup *called) {
-    mt_pair_source own[MT_STOPS_MAX];
+    mt_pair_source own[MT_STOPS_MAX] = {0};
     const mt_pair_source *sources[MT_STOPS_MAX];
-    mt_font_glyphs glyphs = job->glyphs;
     mt_pair_position *position = &job->positions->pairs[job->positions->pair_count];
     mt_status status = MT_OK;
     *position = (mt_pair_position){.head = called_head(job, called)};
     position->pairs = mt_arena_new(job->arena, 1, sizeof *position->pairs);
     if (!position->pairs) return MT_NO_MEMORY;
-    for (int s = 0; s < glyphs.font_count && status == MT_OK; s++) {
-        int lookup = s ? called->others[s] : called->lookup;
+    for (int s = 0; s < job->glyphs.font_count && status == MT_OK; s++) {
+        const int *lookup = &called->in_fonts[s];
         const mt_position_source *source = &job->sources[s];
-        sources[s] = lookup < 0 ? &own[0] : &own[s];
-        if (lookup < 0)
-            glyphs.of[s] = glyphs.of[0];
-        else
-            status = mt_pair_source_gpos(&source->layout, &lookup, 1, &source->variations, source->scale,
+        sources[s] = &own[s];
+        if (*lookup >= 0)
+            status = mt_pair_source_gpos(&source->layout, lookup, 1, &source->variations, source->scale,
                                          &job->scratch, &own[s]);
     }
     if (status == MT_OK)
-        status = mt_pairs_prepare(sources, &glyphs, MT_PAIR_CELLS_MAX, &job->pair_steps, job->arena,
+        status = mt_pairs_prepare(sources, &job->glyphs, MT_PAIR_CELLS_MAX, &job->pair_steps, job->arena,
                                   position->pairs);
     position->count = status == MT_OK;
     job->positions->pair_count += status == MT_OK;
@@ -211,17 +207,16 @@ static mt_status prepare_plain_kerning(mt_position_job *job) {
 
 /* ---- single adjustments -------------------------------------------------------------------------------- */
 
-static mt_single_source single_source(const mt_position_source *source, int count, const int *lookups,
-                                      bool called) {
-    return (mt_single_source){&source->layout, &source->variations, source->scale, count, lookups, called};
+static mt_single_source single_source(const mt_position_source *source, int count, const int *lookups) {
+    return (mt_single_source){&source->layout, &source->variations, source->scale, count, lookups};
 }
 
 /* One that is too large, which no font's is, is left out. */
-static mt_status add_single(mt_position_job *job, const mt_lookup_builder *head,
-                            const mt_single_source *own) {
+static mt_status add_single(mt_position_job *job, const mt_lookup_builder *head, const mt_single_source *own,
+                            int caller) {
     mt_single_position *position = &job->positions->singles[job->positions->single_count];
     position->head = *head;
-    mt_status status = mt_singles_prepare(own, &job->glyphs, job->arena, &position->singles);
+    mt_status status = mt_singles_prepare(own, caller, &job->glyphs, job->arena, &position->singles);
     job->positions->single_count += status == MT_OK;
     return status == MT_TOO_LARGE ? MT_OK : status;
 }
@@ -229,18 +224,18 @@ static mt_status add_single(mt_position_job *job, const mt_lookup_builder *head,
 static mt_status prepare_single(mt_position_job *job, const mt_feature_job *feature) {
     mt_single_source own[MT_STOPS_MAX];
     for (int s = 0; s < job->glyphs.font_count; s++)
-        own[s] = single_source(&job->sources[s], feature->parts[s].count, feature->parts[s].lookups, false);
-    return add_single(job, &feature->head, own);
+        own[s] = single_source(&job->sources[s], feature->parts[s].count, feature->parts[s].lookups);
+    return add_single(job, &feature->head, own, MT_NO_CALLER);
 }
 
 static mt_status prepare_called_single(mt_position_job *job, const mt_called_lookup *called) {
     mt_single_source own[MT_STOPS_MAX];
     mt_lookup_builder head = called_head(job, called);
     for (int s = 0; s < job->glyphs.font_count; s++) {
-        const int *lookup = s ? &called->others[s] : &called->lookup;
-        own[s] = single_source(&job->sources[s], *lookup >= 0, lookup, true);
+        const int *lookup = &called->in_fonts[s];
+        own[s] = single_source(&job->sources[s], *lookup >= 0, lookup);
     }
-    return add_single(job, &head, own);
+    return add_single(job, &head, own, called->font);
 }
 
 static mt_status prepare_singles(mt_position_job *job) {
@@ -261,13 +256,14 @@ static mt_status prepare_singles(mt_position_job *job) {
 
 /* ---- all ----------------------------------------------------------------------------------------------- */
 
-static mt_status prepare_anchors(mt_position_job *job, int units) {
+/* Anchors are those of the drawings themselves: a composed glyph has none. */
+static mt_status prepare_anchors(mt_position_job *job, const mt_font_glyphs *drawn, int units) {
     mt_anchor_source own[MT_STOPS_MAX];
     for (int s = 0; s < job->glyphs.font_count; s++)
         own[s] =
             (mt_anchor_source){job->sources[s].font, &job->sources[s].layout, &job->sources[s].variations};
-    return mt_anchors_prepare(own, &job->positions->systems, job->called.list, job->called.count,
-                              &job->glyphs, units, job->arena, &job->positions->anchors);
+    return mt_anchors_prepare(own, &job->positions->systems, job->called.list, job->called.count, drawn,
+                              units, job->arena, &job->positions->anchors);
 }
 
 static mt_status open_sources(mt_position_job *job, mt_font *const *fonts, int units) {
@@ -282,8 +278,24 @@ static mt_status open_sources(mt_position_job *job, mt_font *const *fonts, int u
     return status;
 }
 
-static mt_status prepare(mt_position_job *job, mt_font *const *fonts, int units) {
-    mt_status status = open_sources(job, fonts, units);
+static mt_status list_line_glyphs(mt_position_job *job, mt_font *const *fonts, const mt_font_glyphs *drawn) {
+    job->glyphs = *drawn;
+    for (int s = 1; s < drawn->font_count; s++) {
+        uint32_t *of = mt_arena_new(&job->scratch, (size_t)drawn->glyph_count, sizeof *of);
+        if (!of) return MT_NO_MEMORY;
+        for (int i = 0; i < drawn->glyph_count; i++) {
+            const mt_composed *composed = mt_font_composed(fonts[s], drawn->of[s][i]);
+            of[i] = composed ? composed->like : drawn->of[s][i];
+        }
+        job->glyphs.of[s] = of;
+    }
+    return MT_OK;
+}
+
+static mt_status prepare(mt_position_job *job, mt_font *const *fonts, const mt_font_glyphs *drawn,
+                         int units) {
+    mt_status status = list_line_glyphs(job, fonts, drawn);
+    if (status == MT_OK) status = open_sources(job, fonts, units);
     if (status == MT_OK)
         status =
             mt_systems_make(job->features.layouts, job->features.count, job->arena, &job->positions->systems);
@@ -293,16 +305,16 @@ static mt_status prepare(mt_position_job *job, mt_font *const *fonts, int units)
     if (status == MT_OK) status = prepare_all_pairs(job);
     if (status == MT_OK) status = prepare_plain_kerning(job);
     if (status == MT_OK) status = prepare_singles(job);
-    return status == MT_OK ? prepare_anchors(job, units) : status;
+    return status == MT_OK ? prepare_anchors(job, drawn, units) : status;
 }
 
 mt_status mt_positions_prepare(mt_font *const *fonts, const mt_font_glyphs *glyphs, int units,
                                mt_arena *arena, mt_positions **positions) {
-    mt_position_job job = {.glyphs = *glyphs, .arena = arena, .pair_steps = MT_PAIR_STEPS_MAX};
+    mt_position_job job = {.arena = arena, .pair_steps = MT_PAIR_STEPS_MAX};
     job.positions = mt_arena_new(arena, 1, sizeof *job.positions);
     if (!job.positions) return MT_NO_MEMORY;
     job.positions->font_count = glyphs->font_count;
-    mt_status status = prepare(&job, fonts, units);
+    mt_status status = prepare(&job, fonts, glyphs, units);
     mt_arena_release(&job.scratch);
     if (status == MT_OK) *positions = job.positions;
     return status;

@@ -46,21 +46,38 @@ static int64_t count_subtables(const mt_single_source *source) {
     return count;
 }
 
+static bool is_there(const mt_font_glyphs *glyphs, int font, int glyph) {
+    return glyphs->of[font][glyph] != MT_NO_PARTNER;
+}
+
 /* What all fonts have for a new glyph; false where none adjusts it. */
 static bool find_single(const mt_single_source *sources, const mt_font_glyphs *glyphs, int glyph,
                         double (*in_fonts)[MT_VALUE_PARTS]) {
     bool has = glyph_value(&sources[0], glyphs->of[0][glyph], in_fonts[0]);
     for (int s = 1; s < glyphs->font_count; s++) {
-        bool there = sources[s].count && glyphs->of[s][glyph] != MT_NO_PARTNER;
-        bool adjusted = there && glyph_value(&sources[s], glyphs->of[s][glyph], in_fonts[s]);
-        has |= adjusted && !sources[s].called;
-        if (!adjusted && (!there || sources[s].called)) memcpy(in_fonts[s], in_fonts[0], sizeof in_fonts[0]);
+        bool there = sources[s].count && is_there(glyphs, s, glyph);
+        has |= there && glyph_value(&sources[s], glyphs->of[s][glyph], in_fonts[s]);
+        if (!there) memcpy(in_fonts[s], in_fonts[0], sizeof in_fonts[0]);
     }
     return has;
 }
 
-mt_status mt_singles_prepare(const mt_single_source *sources, const mt_font_glyphs *glyphs, mt_arena *arena,
-                             mt_singles *singles) {
+/* The same of what the caller's contexts call; false where it does not adjust the glyph. */
+static bool find_called(const mt_single_source *sources, int caller, const mt_font_glyphs *glyphs, int glyph,
+                        double (*in_fonts)[MT_VALUE_PARTS]) {
+    const double *own = in_fonts[caller];
+    if (!is_there(glyphs, caller, glyph)) return false;
+    if (!glyph_value(&sources[caller], glyphs->of[caller][glyph], in_fonts[caller])) return false;
+    for (int s = 0; s < glyphs->font_count; s++) {
+        bool there = is_there(glyphs, s, glyph);
+        if (s != caller && there) glyph_value(&sources[s], glyphs->of[s][glyph], in_fonts[s]);
+        if (!there) memcpy(in_fonts[s], own, sizeof in_fonts[0]);
+    }
+    return true;
+}
+
+mt_status mt_singles_prepare(const mt_single_source *sources, int caller, const mt_font_glyphs *glyphs,
+                             mt_arena *arena, mt_singles *singles) {
     size_t fonts = (size_t)glyphs->font_count;
     int64_t subtables = 0;
     for (size_t s = 0; s < fonts; s++) subtables += count_subtables(&sources[s]);
@@ -70,7 +87,9 @@ mt_status mt_singles_prepare(const mt_single_source *sources, const mt_font_glyp
     if (!made.list) return MT_NO_MEMORY;
     for (int i = 0; i < glyphs->glyph_count; i++) {
         double in_fonts[MT_STOPS_MAX][MT_VALUE_PARTS];
-        if (!find_single(sources, glyphs, i, in_fonts)) continue;
+        bool has = caller == MT_NO_CALLER ? find_single(sources, glyphs, i, in_fonts)
+                                          : find_called(sources, caller, glyphs, i, in_fonts);
+        if (!has) continue;
         mt_single *single = &made.list[made.count++];
         single->glyph = (uint16_t)i;
         single->in_fonts = mt_arena_new(arena, fonts, sizeof *single->in_fonts);

@@ -17,8 +17,6 @@ typedef struct mt_single_source {
     double scale;
     int count;
     const int *lookups;
-    bool
-        called; /* by contexts: glyphs are those of the first font's, and one that is not in these is as in the first font */
 } mt_single_source;
 
 typedef struct mt_single {
@@ -31,9 +29,13 @@ typedef struct mt_singles {
     mt_single *list; /* ascending by glyph */
 } mt_singles;
 
+/* Of lookups that contexts call, the font whose contexts do: only what it adjusts is adjusted, and a font that has nothing for it
+ * leaves its glyph as it is. */
+enum { MT_NO_CALLER = -1 };
+
 /* From one source a font. MT_NO_MEMORY; MT_TOO_LARGE for lookups that no font has so many subtables in. */
-mt_status mt_singles_prepare(const mt_single_source *sources, const mt_font_glyphs *glyphs, mt_arena *arena,
-                             mt_singles *singles);
+mt_status mt_singles_prepare(const mt_single_source *sources, int caller, const mt_font_glyphs *glyphs,
+                             mt_arena *arena, mt_singles *singles);
 
 /* Subtables at these places: SinglePosFormat1 for each value that many glyphs share, SinglePosFormat2 for the rest. In
  * the arena. MT_NO_MEMORY, MT_TOO_LARGE. */

@@ -33,10 +33,13 @@ int mt_system_lookups(const mt_layout *layout, int system, uint32_t tag, int typ
 /* Whether the system has a feature of that tag, whatever is in it. */
 bool mt_system_has_feature(const mt_layout *layout, int system, uint32_t tag);
 
-/* A lookup of the first font's that contexts call: they do by its number and 1, whatever features it is in. */
+/* A lookup that contexts call, whatever features it is in. */
 typedef struct mt_called_lookup {
-    int lookup, type;
-    int others[MT_STOPS_MAX]; /* each other font's lookup that goes with it; -1 where there is none */
+    int font; /* whose contexts call it */
+    int type;
+    int called_as; /* lookup_builder.h */
+    int in_fonts
+        [MT_STOPS_MAX]; /* the font's lookup, and each other font's that goes with it; -1 where there is none */
     int member_count;
     const mt_member *members; /* where the contexts belong; of mt_systems */
 } mt_called_lookup;

@@ -1,4 +1,4 @@
-/* Contextual positioning of fonts made for the test, in each format: kept as the first font's, with what it calls mixed. */
+/* Contextual positioning of fonts made for the test, in each format: kept, with what it calls mixed. */
 #include "gpos/gpos.h"
 #include "sfnt/sfnt.h"
 #include "support/blending.h"
@@ -161,16 +161,25 @@ static void mixed_across_formats(void **state) {
     mt_test_blend_close(&blend);
 }
 
-static void first_alone_keeps_its_own(void **state) {
+/* Where one font alone has contexts, what they do comes or goes on the way to the other. */
+static void one_alone(void **state) {
     (void)state;
-    mt_test_blend blend =
-        mt_test_blend_of(end_of("a.ttf", 1000, CHAINED, 2, 120), end_of("b.ttf", 2000, 0, 0, 0), &arena);
-    for (int k = 0; k <= 2; k++) {
-        mt_test_place place = mt_test_place_at(&blend, k / 2.0);
-        assert_widths(&place, (1 - k / 2.0) * 4000 + k / 2.0 * 2000, 240);
-        mt_test_place_close(&place);
-    }
-    mt_test_blend_close(&blend);
+    for (int format = 1; format <= 3; format++)
+        for (int second = 0; second < 2; second++) {
+            mt_test_end a = end_of("a.ttf", 1000, second ? 0 : CHAINED, format, 120);
+            mt_test_end b = end_of("b.ttf", 2000, second ? CHAINED : 0, format, 240);
+            mt_test_blend blend = mt_test_blend_of(a, b, &arena);
+            for (int k = 0; k <= 2; k++) {
+                double t = k / 2.0, more = second ? 240 * t : 240 * (1 - t);
+                mt_test_place place = mt_test_place_at(&blend, t),
+                              varying = mt_test_varying_place_at(&blend, t);
+                assert_widths(&place, (1 - t) * 4000 + t * 2000, more);
+                assert_widths(&varying, (1 - t) * 4000 + t * 2000, more);
+                mt_test_place_close(&varying);
+                mt_test_place_close(&place);
+            }
+            mt_test_blend_close(&blend);
+        }
 }
 
 /* A place of a rule that no glyph is left for: the rule goes, and all that it called. */
@@ -198,7 +207,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(mixed_in_each_format),
         cmocka_unit_test(mixed_across_formats),
-        cmocka_unit_test(first_alone_keeps_its_own),
+        cmocka_unit_test(one_alone),
         cmocka_unit_test(without_a_glyph_of_it),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -246,8 +246,8 @@ static void single_adjustments_vary(void **state) {
     mt_font_glyphs glyphs = {1, 3 * COUNT, {own}};
     for (double place = 0; place <= 1; place += 0.25) {
         mt_gdef_deltas variations = at_place(place);
-        mt_single_source source = {&layout, &variations, 1, 1, &lookup, false};
-        mt_assert_ok(mt_singles_prepare(&source, &glyphs, &arena, &read));
+        mt_single_source source = {&layout, &variations, 1, 1, &lookup};
+        mt_assert_ok(mt_singles_prepare(&source, MT_NO_CALLER, &glyphs, &arena, &read));
         assert_int_equal(read.count, COUNT);
         for (int i = 0; i < COUNT; i++)
             for (int k = 0; k < MT_VALUE_PARTS; k++) {
