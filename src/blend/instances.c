@@ -142,6 +142,14 @@ static mt_status add_positions(const mt_positions *positions, double t, mt_arena
     return MT_OK;
 }
 
+static mt_status add_math(const mt_math *math, double t, mt_arena *arena, mt_font_data *data) {
+    const mt_places places = {2, 1, &t, NULL};
+    mt_bytes table;
+    mt_status status = mt_math_write(math, &places, arena, &table);
+    if (status == MT_OK) mt_add_extra(data, MT_TAG('M', 'A', 'T', 'H'), table);
+    return status;
+}
+
 static mt_status hand_over(mt_making *making, const mt_instances *fonts, mt_font_ready ready, void *user) {
     const mt_row *row = making->row;
     mt_status status = MT_OK;
@@ -153,6 +161,7 @@ static mt_status hand_over(mt_making *making, const mt_instances *fonts, mt_font
         status = mt_metadata_names(row->fonts[0], row->fonts[1], t, row->family, &making->arena, &data);
         if (i < row->style_count) mt_metadata_style(row->styles[i], &data);
         if (status == MT_OK) status = add_positions(making->positions, t, &making->arena, &data);
+        if (status == MT_OK) status = add_math(making->math, t, &making->arena, &data);
         if (status == MT_OK) status = ready(&data, i, user);
     }
     return status;

@@ -91,7 +91,9 @@ static mt_status take_layout(mt_making *making) {
     if (status == MT_OK) status = mt_charset_twins(charset, arena, &making->layout);
     if (status == MT_OK) status = mt_glyph_names_make(row->fonts[0], charset, arena, &making->glyph_names);
     if (status != MT_OK) return status;
-    return mt_positions_prepare(row->fonts, &making->set.fonts, making->units, arena, &making->positions);
+    status = mt_positions_prepare(row->fonts, &making->set.fonts, making->units, arena, &making->positions);
+    if (status != MT_OK) return status;
+    return mt_math_prepare(row->fonts, &making->set.fonts, making->units, arena, &making->math);
 }
 
 mt_status mt_making_begin_font(mt_making *making, mt_row *row) {

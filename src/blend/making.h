@@ -15,6 +15,7 @@
 #include "blend/pair.h"
 #include "gpos/positions.h"
 #include "gsub/subset.h"
+#include "math/math.h"
 
 typedef struct mt_making mt_making;
 
@@ -49,6 +50,7 @@ struct mt_making {
     mt_layout_tables layout;  /* the first font's substitutions, for the glyphs that are kept */
     const char **glyph_names; /* NULL: none */
     mt_positions *positions;
+    mt_math *math; /* NULL: none */
     mt_sink sinks[MT_SINKS_MAX];
     int sink_count;
     int first, batch; /* the glyphs at hand are order[first … first + batch - 1] */

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "math/table/open.h"
 #include "sfnt/sfnt.h"
 #include "source/reserved.h"
 
@@ -115,11 +116,35 @@ static mt_status review_family(const mt_reviewer *reviewer, const mt_font *font)
 
 /* ---- tables -------------------------------------------------------------------------------------------- */
 
+/* The MATH tables of the fonts. */
+typedef struct mt_math_states {
+    mt_math_state of[MT_VARIABLE_FONTS_MAX];
+} mt_math_states;
+
+static mt_status read_math(mt_font *const *fonts, int count, mt_math_states *states) {
+    mt_arena arena = {0};
+    mt_status status = MT_OK;
+    for (int i = 0; i < count && status == MT_OK; i++) {
+        mt_math_table table;
+        status = mt_math_table_open(fonts[i], &arena, &table);
+        states->of[i] = status == MT_OK ? table.state : MT_MATH_NONE;
+        mt_arena_reset(&arena);
+    }
+    mt_arena_release(&arena);
+    return status;
+}
+
+/* MATH is blended where the first font has one. */
+static bool is_blended(const mt_math_states *math, int font) {
+    return math->of[0] == MT_MATH_WHOLE && math->of[font] == MT_MATH_WHOLE;
+}
+
 /* Adds "COLR, CPAL of FONT" to the line, where the font has any of the tables, whose tags stand one after another. */
-static void add_tables(const mt_font *font, const char *tags, mt_notice *line) {
+static void add_tables(const mt_font *font, const char *tags, bool but_math, mt_notice *line) {
     int count = 0;
     for (const char *tag = tags; *tag; tag += 4) {
         if (!mt_font_has_table(font, MT_TAG(tag[0], tag[1], tag[2], tag[3]))) continue;
+        if (but_math && strncmp(tag, "MATH", 4) == 0) continue;
         add(line, "%s%.*s", count ? ", " : line->length ? "; " : "", tag[3] == ' ' ? 3 : 4, tag);
         count++;
     }
@@ -127,7 +152,8 @@ static void add_tables(const mt_font *font, const char *tags, mt_notice *line) {
 }
 
 /* A line for each kind of table that a blend has none of. */
-static void review_tables(const mt_reviewer *reviewer, mt_font *const *fonts, int count) {
+static void review_tables(const mt_reviewer *reviewer, mt_font *const *fonts, int count,
+                          const mt_math_states *math) {
     static const struct {
         const char *what, *tags;
     } kinds[] = {
@@ -137,7 +163,10 @@ static void review_tables(const mt_reviewer *reviewer, mt_font *const *fonts, in
     };
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
         mt_notice tables = {0}, line = {0};
-        for (int k = 0; k < count; k++) add_tables(fonts[k], kinds[i].tags, &tables);
+        for (int k = 0; k < count; k++) add_tables(fonts[k], kinds[i].tags, is_blended(math, k), &tables);
+        for (int k = 0; k < count && i == 0; k++)
+            if (math->of[k] == MT_MATH_DAMAGED)
+                add(&tables, "; MATH of %s is damaged", mt_font_spec(fonts[k]));
         add(&line, "%s left out: %s", kinds[i].what, tables.text);
         if (tables.length > 0) say(reviewer, &line);
     }
@@ -169,6 +198,8 @@ mt_status mt_review(mt_font *const *fonts, int count, const char *family, mt_war
         review_features(&reviewer, fonts[i]);
         status = review_family(&reviewer, fonts[i]);
     }
-    if (status == MT_OK) review_tables(&reviewer, fonts, count);
+    mt_math_states math = {0};
+    if (status == MT_OK) status = read_math(fonts, count, &math);
+    if (status == MT_OK) review_tables(&reviewer, fonts, count, &math);
     return status;
 }

@@ -1,19 +1,26 @@
-/* GPOS and GDEF, HVAR and VVAR, MVAR: values at each font of the row, of which the tables' writers make deltas. */
+/* GPOS, MATH and GDEF, HVAR and VVAR, MVAR: values at each font of the row, of which the tables' writers make deltas. */
 #include "blend/varying_tables.h"
 
 #include "blend/masters.h"
 #include "blend/metadata.h"
+#include "layout/gdef.h"
 #include "sfnt/sfnt.h"
 #include "write/varying.h"
 
-/* GSUB is the first font's, and there already; GPOS and GDEF vary. */
-static mt_status add_positions(mt_making *making, mt_font_data *font) {
-    mt_bytes gpos, gdef;
-    mt_status status =
-        mt_positions_write_varying(making->positions, making->layout.gdef, &making->arena, &gpos, &gdef);
+/* GSUB is the first font's, and there already; GPOS and MATH vary by the store that GDEF has. */
+static mt_status add_layout(mt_making *making, mt_font_data *font) {
+    double at[MT_STOPS_MAX];
+    mt_var_store store = mt_var_store_make(making->row->font_count);
+    mt_places places = mt_places_of_fonts(making->row->font_count, at, &store);
+    mt_bytes gpos, math, gdef;
+    mt_status status = mt_positions_write_varying(making->positions, &store, &making->arena, &gpos);
+    if (status == MT_OK) status = mt_math_write(making->math, &places, &making->arena, &math);
+    if (status == MT_OK) status = mt_gdef_vary(making->layout.gdef, &store, &making->arena, &gdef);
+    mt_var_store_free(&store);
     if (status != MT_OK) return status;
     mt_add_extra(font, MT_TAG('G', 'P', 'O', 'S'), gpos);
     mt_add_extra(font, MT_TAG('G', 'D', 'E', 'F'), gdef);
+    mt_add_extra(font, MT_TAG('M', 'A', 'T', 'H'), math);
     return MT_OK;
 }
 
@@ -75,7 +82,7 @@ static mt_status add_figures(mt_making *making, mt_font_data *font) {
 }
 
 mt_status mt_varying_tables_add(mt_making *making, const mt_outlines *outlines, mt_font_data *font) {
-    mt_status status = add_positions(making, font);
+    mt_status status = add_layout(making, font);
     if (status == MT_OK) status = add_figures(making, font);
     return status == MT_OK ? add_rooms(making, outlines, font) : status;
 }

@@ -1,10 +1,12 @@
-/* Wanted characters are paired first, then all others, sequences, names and forms, since a glyph of A has one partner: the
+/* Wanted characters are paired first, then all others, sequences, texts, MATH, names and forms, since a glyph of A has one partner: the
  * first that it gets. */
 #include "glyphset/font_pair.h"
 
 #include "layout/open.h"
 
 #include <stdlib.h>
+
+#include "math/table/open.h"
 
 enum { FRACTION_SLASH = 0x2044 };
 
@@ -84,36 +86,54 @@ static mt_status pair_by_text(mt_text_pairs *pairs, mt_codes *wanted, const mt_c
 }
 
 static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_charset_request *request, mt_codes *wanted,
-                             const mt_sequences *sequences, const mt_gsub *gsub_a, mt_arena *arena,
-                             mt_glyph_match *match) {
+                             const mt_sequences *sequences, const mt_gsub *gsub_a,
+                             const mt_math_table *math_a, mt_arena *arena, mt_glyph_match *match) {
     const mt_charset_request any = {.pairs = request->pairs, .other = request->other};
     mt_codes all = {0};
     mt_gsub gsub_b;
+    mt_math_table math_b = {0};
     mt_text_pairs pairs = {0};
     mt_status status = mt_glyph_match_new(a, b, arena, match);
     if (status == MT_OK) status = mt_codes_list(a, b, &any, arena, &all);
     if (status == MT_OK) pair_given(request, wanted, &all, match);
     if (status == MT_OK) status = mt_gsub_open(b, arena, &gsub_b);
+    if (status == MT_OK) status = mt_math_table_open(b, arena, &math_b);
     if (status == MT_OK)
         status = pair_by_text(&pairs, wanted, &all, sequences, gsub_a, &gsub_b, arena, match);
     mt_text_pairs_close(&pairs);
+    if (status == MT_OK) mt_match_math(match, math_a, &math_b);
     if (status == MT_OK) status = mt_match_names(match, a, b, arena);
     if (status == MT_OK) status = mt_match_forms(match, gsub_a, &gsub_b, arena);
+    if (status == MT_OK) mt_match_math(match, math_a, &math_b); /* of what names and features have paired */
     if (status == MT_OK) status = match->ink_a.status;
     return status == MT_OK ? match->ink_b.status : status;
 }
 
-/* What A's substitutions make of the glyphs that are kept. Only of wanted characters there are forms that nobody asks for. */
-static mt_status keep_forms(const mt_charset_request *request, const mt_gsub *gsub, mt_arena *arena,
-                            mt_font_pair *pair) {
-    bool fractions = mt_codes_find(&pair->codes, FRACTION_SLASH) != NULL;
-    if (!request->count || request->alternates) return mt_match_reach(gsub, pair->kept);
-    mt_status status = mt_match_reach_automatic(gsub, fractions, pair->kept);
-    return status == MT_OK ? mt_match_left_out(gsub, pair->kept, fractions, arena, &pair->left) : status;
+/* Adds what A's substitutions and its MATH lead to: all of it, or what nobody has to ask for. */
+static mt_status reach(const mt_gsub *gsub, const mt_math_table *math, bool asked_for, bool fractions,
+                       bool *kept) {
+    enum { ROUNDS_MAX = 8 }; /* from substitutions to MATH and back: no font has more than two */
+    mt_status status = MT_OK;
+    bool more = true;
+    for (int i = 0; i < ROUNDS_MAX && more && status == MT_OK; i++) {
+        status = asked_for ? mt_match_reach(gsub, kept) : mt_match_reach_automatic(gsub, fractions, kept);
+        more = mt_match_math_reach(math, kept);
+    }
+    return status;
 }
 
-static mt_status keep_glyphs(const mt_charset_request *request, const mt_gsub *gsub, mt_arena *arena,
-                             mt_font_pair *pair) {
+/* What A makes of the glyphs that are kept. Only of wanted characters there are forms that nobody asks for. */
+static mt_status keep_forms(const mt_charset_request *request, const mt_gsub *gsub, const mt_math_table *math,
+                            mt_arena *arena, mt_font_pair *pair) {
+    bool fractions = mt_codes_find(&pair->codes, FRACTION_SLASH) != NULL;
+    bool asked_for = !request->count || request->alternates;
+    mt_status status = reach(gsub, math, asked_for, fractions, pair->kept);
+    if (status != MT_OK || asked_for) return status;
+    return mt_match_left_out(gsub, pair->kept, fractions, arena, &pair->left);
+}
+
+static mt_status keep_glyphs(const mt_charset_request *request, const mt_gsub *gsub,
+                             const mt_math_table *math, mt_arena *arena, mt_font_pair *pair) {
     const mt_glyph_match *match = &pair->match;
     bool *kept = pair->kept = mt_arena_new(arena, (size_t)match->count_a + 1, sizeof *kept);
     if (!kept) return MT_NO_MEMORY;
@@ -123,7 +143,7 @@ static mt_status keep_glyphs(const mt_charset_request *request, const mt_gsub *g
     bool limited = request->count || mt_font_is_without_layout(match->a);
     for (int i = 0; i < match->count_a && !limited; i++)
         kept[i] |= request->set == MT_GLYPHS_FIRST || match->partner[i] != MT_NO_PARTNER;
-    return keep_forms(request, gsub, arena, pair);
+    return keep_forms(request, gsub, math, arena, pair);
 }
 
 /* ---- the pair ------------------------------------------------------------------------------------------ */
@@ -132,14 +152,16 @@ mt_status mt_font_pair_make(mt_font *a, mt_font *b, const mt_charset_request *re
                             mt_font_pair *pair) {
     mt_font_pair made = {0};
     mt_gsub gsub;
+    mt_math_table math;
     mt_status status = mt_codes_list(a, b, request, arena, &made.codes);
     if (status != MT_OK) return status;
     if (made.codes.count == 0) return MT_NOTHING_SHARED;
     status = list_sequences(a, b, &made.codes, request->set, arena, &made.sequences);
     if (status == MT_OK) status = mt_gsub_open(a, arena, &gsub);
+    if (status == MT_OK) status = mt_math_table_open(a, arena, &math);
     if (status == MT_OK)
-        status = pair_glyphs(a, b, request, &made.codes, &made.sequences, &gsub, arena, &made.match);
-    if (status == MT_OK) status = keep_glyphs(request, &gsub, arena, &made);
+        status = pair_glyphs(a, b, request, &made.codes, &made.sequences, &gsub, &math, arena, &made.match);
+    if (status == MT_OK) status = keep_glyphs(request, &gsub, &math, arena, &made);
     if (status == MT_OK) *pair = made;
     return status;
 }

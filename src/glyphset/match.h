@@ -8,6 +8,7 @@
 #include "glyphset/shaper.h"
 #include "glyphset/votes.h"
 #include "gsub/gsub.h"
+#include "math/table/math_table.h"
 #include "source/font.h"
 
 /* B's glyph where B has none. */
@@ -57,6 +58,12 @@ mt_status mt_match_names(mt_glyph_match *match, mt_font *a, mt_font *b, mt_arena
 /* match_forms.c: where the same layout feature leads from paired glyphs to a glyph in both fonts, pairs these, and so on
  * from there: for the same script and language where both fonts have them, then for any. MT_NO_MEMORY. */
 mt_status mt_match_forms(mt_glyph_match *match, const mt_gsub *a, const mt_gsub *b, mt_arena *arena);
+
+/* match_math.c: pairs what the MATH tables of both fonts have for paired glyphs: larger glyphs by their order, parts of assemblies
+ * that are alike by their places. */
+void mt_match_math(mt_glyph_match *match, const mt_math_table *a, const mt_math_table *b);
+/* Adds to the glyphs that are `kept` the larger ones and the parts that A's MATH has for them; whether there were any. */
+bool mt_match_math_reach(const mt_math_table *math, bool *kept);
 
 /* match_reach.c: adds to the glyphs that are `kept` (one for each of A's) what A's features make of them, all but 'aalt', which
  * only lists alternates. MT_NO_MEMORY. */

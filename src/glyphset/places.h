@@ -15,6 +15,9 @@ typedef struct mt_places {
     mt_var_store *store; /* takes what varies; NULL where there is one place */
 } mt_places;
 
+/* All fonts, with room for their places in `at`. */
+mt_places mt_places_of_fonts(int font_count, double at[MT_STOPS_MAX], mt_var_store *store);
+
 /* The two fonts that a place lies between: `first` and the one after it, so far from the first (0 … 1). */
 typedef struct mt_between {
     int first;

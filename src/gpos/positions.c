@@ -9,7 +9,6 @@
 #include "kerning/prepare.h"
 #include "kerning/write.h"
 #include "layout/at_place.h"
-#include "layout/gdef.h"
 #include "layout/open.h"
 #include "sfnt/sfnt.h"
 
@@ -370,16 +369,9 @@ mt_status mt_positions_write(const mt_positions *positions, double t, mt_arena *
     return write_at(positions, &places, arena, gpos);
 }
 
-mt_status mt_positions_write_varying(const mt_positions *positions, mt_bytes plain_gdef, mt_arena *arena,
-                                     mt_bytes *gpos, mt_bytes *gdef) {
+mt_status mt_positions_write_varying(const mt_positions *positions, mt_var_store *store, mt_arena *arena,
+                                     mt_bytes *gpos) {
     double at[MT_STOPS_MAX];
-    mt_var_store store = mt_var_store_make(positions->font_count);
-    mt_places places = {positions->font_count, positions->font_count, at, &store};
-    mt_bytes made;
-    for (int i = 0; i < places.count; i++) at[i] = i;
-    mt_status status = write_at(positions, &places, arena, &made);
-    if (status == MT_OK) status = mt_gdef_vary(plain_gdef, &store, arena, gdef);
-    mt_var_store_free(&store);
-    if (status == MT_OK) *gpos = made;
-    return status;
+    mt_places places = mt_places_of_fonts(positions->font_count, at, store);
+    return write_at(positions, &places, arena, gpos);
 }

@@ -20,7 +20,7 @@ mt_status mt_positions_prepare(mt_font *const *fonts, const mt_font_glyphs *glyp
  * nothing to position. MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_positions_write(const mt_positions *positions, double t, mt_arena *arena, mt_bytes *gpos);
 
-/* The GPOS table of the varying font, and its GDEF: `plain_gdef`, which may be empty, with the store of what varies in
- * GPOS. In the arena. MT_NO_MEMORY, MT_TOO_LARGE. */
-mt_status mt_positions_write_varying(const mt_positions *positions, mt_bytes plain_gdef, mt_arena *arena,
-                                     mt_bytes *gpos, mt_bytes *gdef);
+/* The GPOS table of the varying font; the store, which GDEF is to have (layout/gdef.h), takes what varies. In the arena.
+ * MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_positions_write_varying(const mt_positions *positions, mt_var_store *store, mt_arena *arena,
+                                     mt_bytes *gpos);

@@ -131,7 +131,7 @@ static mt_bytes hvar_of(const mt_test_blend *blend) {
 mt_test_place mt_test_varying_place_at(const mt_test_blend *blend, double t) {
     mt_bytes gpos, gdef;
     mt_test_varying varying = {mt_test_fvar(blend->arena), hvar_of(blend)};
-    mt_assert_ok(mt_positions_write_varying(blend->positions, gdef_of(blend), blend->arena, &gpos, &gdef));
+    mt_assert_ok(mt_test_write_varying(blend->positions, 2, gdef_of(blend), blend->arena, &gpos, &gdef));
     mt_bytes font = mt_test_layout_font(&blend->charset, blend->units, advances_at(blend, 0), gdef, gpos,
                                         varying, blend->arena);
     mt_test_place place = place_of(blend, t, font, gpos.length);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "layout/gdef.h"
 #include "layout/lookup_builder.h"
 #include "sfnt/sfnt.h"
 #include "support/check.h"
@@ -25,6 +26,15 @@ mt_bytes mt_test_fvar(mt_arena *arena) {
     mt_table_16(&table, NAME);
     mt_assert_ok(mt_table_keep(&table, arena, &fvar));
     return fvar;
+}
+
+mt_status mt_test_write_varying(const mt_positions *positions, int font_count, mt_bytes plain,
+                                mt_arena *arena, mt_bytes *gpos, mt_bytes *gdef) {
+    mt_var_store store = mt_var_store_make(font_count);
+    mt_status status = mt_positions_write_varying(positions, &store, arena, gpos);
+    if (status == MT_OK) status = mt_gdef_vary(plain, &store, arena, gdef);
+    mt_var_store_free(&store);
+    return status;
 }
 
 mt_bytes mt_test_gvar(int glyph_count, mt_arena *arena) {

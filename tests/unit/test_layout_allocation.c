@@ -7,6 +7,7 @@
 #include "support/check.h"
 #include "support/fonts.h"
 #include "support/sample.h"
+#include "support/varying.h"
 
 #define INTER "/usr/share/fonts/truetype/inter-vf/Inter.var.ttf"
 
@@ -48,7 +49,7 @@ static mt_status make_positions(mt_font *a, mt_font *b, mt_arena *made) {
     if (status == MT_OK) status = mt_test_positions((mt_font *[]){a, b}, &charset, 2, 1000, made, &positions);
     if (status == MT_OK) status = mt_positions_write(positions, 0.5, made, &gpos);
     if (status == MT_OK) assert_true(gpos.length > 0);
-    if (status == MT_OK) status = mt_positions_write_varying(positions, none, made, &gpos, &gdef);
+    if (status == MT_OK) status = mt_test_write_varying(positions, 2, none, made, &gpos, &gdef);
     if (status == MT_OK) assert_true(gdef.length > 0);
     return status == MT_OK ? mt_positions_kerning(positions, 0.5, made, &kerning) : status;
 }

@@ -106,7 +106,7 @@ static hb_font_t *font_of(const mt_varied *axis, mt_bytes gpos, mt_bytes gdef, m
 
 static hb_font_t *varying_font(const mt_varied *axis, size_t *size) {
     mt_bytes gpos, gdef;
-    mt_assert_ok(mt_positions_write_varying(axis->positions, axis->gdef, &arena, &gpos, &gdef));
+    mt_assert_ok(mt_test_write_varying(axis->positions, axis->count, axis->gdef, &arena, &gpos, &gdef));
     *size = gpos.length + gdef.length - axis->gdef.length;
     return font_of(axis, gpos, gdef, (mt_test_varying){.fvar = mt_test_fvar(&arena)});
 }

@@ -1,0 +1,52 @@
+#include "glyphset/match.h"
+
+/* Glyphs without a character that A's MATH has for another glyph: the larger ones by their order, the glyph itself left out. */
+static void pair_variants(mt_glyph_match *match, const mt_math_construction *a,
+                          const mt_math_construction *b) {
+    int in_b = 0;
+    for (int i = 0; i < a->variant_count; i++) {
+        if (a->variants[i].glyph == a->glyph) continue;
+        while (in_b < b->variant_count && b->variants[in_b].glyph == b->glyph) in_b++;
+        if (in_b == b->variant_count) return;
+        mt_match_form(match, a->variants[i].glyph, b->variants[in_b++].glyph, match->origin[a->glyph]);
+    }
+}
+
+static void pair_parts(mt_glyph_match *match, const mt_math_construction *a, const mt_math_construction *b) {
+    if (!mt_math_same_assembly(a, b)) return;
+    for (int i = 0; i < a->part_count; i++)
+        mt_match_form(match, a->parts[i].glyph, b->parts[i].glyph, match->origin[a->glyph]);
+}
+
+void mt_match_math(mt_glyph_match *match, const mt_math_table *a, const mt_math_table *b) {
+    for (int k = 0; k < MT_MATH_DIRECTIONS; k++) {
+        for (int i = 0; i < a->constructions[k].count; i++) {
+            const mt_math_construction *in_a = &a->constructions[k].list[i];
+            uint32_t partner = match->partner[in_a->glyph];
+            const mt_math_construction *in_b =
+                partner == MT_NO_PARTNER ? NULL : mt_math_construction_find(&b->constructions[k], partner);
+            if (!in_b) continue;
+            pair_variants(match, in_a, in_b);
+            pair_parts(match, in_a, in_b);
+        }
+    }
+}
+
+static bool keep(bool *kept, uint32_t glyph) {
+    bool is_new = !kept[glyph];
+    kept[glyph] = true;
+    return is_new;
+}
+
+bool mt_match_math_reach(const mt_math_table *math, bool *kept) {
+    bool more = false;
+    for (int k = 0; k < MT_MATH_DIRECTIONS; k++) {
+        for (int i = 0; i < math->constructions[k].count; i++) {
+            const mt_math_construction *own = &math->constructions[k].list[i];
+            if (!kept[own->glyph]) continue;
+            for (int v = 0; v < own->variant_count; v++) more |= keep(kept, own->variants[v].glyph);
+            for (int p = 0; p < own->part_count; p++) more |= keep(kept, own->parts[p].glyph);
+        }
+    }
+    return more;
+}
