@@ -98,6 +98,7 @@ static mt_status take_layout(mt_making *making) {
 
 mt_status mt_making_begin_font(mt_making *making, mt_row *row) {
     mt_charset_request request = mt_row_request(row);
+    request.varies = making->varies;
     mt_status status = mt_making_begin(making, row, &request);
     if (status != MT_OK) return status;
     row->unblended = making->set.charset.unblended_count;

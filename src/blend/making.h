@@ -43,6 +43,7 @@ enum { MT_SINKS_MAX = 2 };
 
 struct mt_making {
     mt_row *row;
+    bool varies; /* one font that varies is made, not fonts at single places */
     int units, glyph_count, step_count;
     mt_row_glyphs set;
     mt_composite *composites; /* of each glyph; NULL: none are looked for */
@@ -58,7 +59,7 @@ struct mt_making {
     mt_thread_arenas kept;
 };
 
-/* Starts with the glyphs: those of `request`. The making is all zero but for its sinks; it is to be ended whatever comes. As
+/* Starts with the glyphs: those of `request`. The making is all zero but for its sinks and `varies`; it is to be ended whatever comes. As
  * mt_row_glyphs_make. */
 mt_status mt_making_begin(mt_making *making, mt_row *row, const mt_charset_request *request);
 /* The same with what a whole font has besides: the row's characters, composites, substitutions, names and positions.

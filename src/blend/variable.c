@@ -156,7 +156,7 @@ static mt_status hand_over(mt_variable_maker *maker, bool masters, mt_font_ready
 
 static mt_status make(mt_variable *variable, const mt_sink *also, bool masters, mt_font_ready ready,
                       void *user) {
-    mt_variable_maker maker = {.variable = variable};
+    mt_variable_maker maker = {.variable = variable, .making = {.varies = true}};
     mt_making *making = &maker.making;
     making->sinks[making->sink_count++] = mt_outlines_sink(&maker.outlines);
     if (also) making->sinks[making->sink_count++] = *also;

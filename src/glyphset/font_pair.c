@@ -105,6 +105,7 @@ static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_charset_request *r
     if (status == MT_OK) status = mt_match_names(match, a, b, arena);
     if (status == MT_OK) status = mt_match_forms(match, gsub_a, &gsub_b, arena);
     if (status == MT_OK) mt_match_math(match, math_a, &math_b); /* of what names and features have paired */
+    if (status == MT_OK && request->varies) mt_match_math_hold(match, math_a, &math_b);
     if (status == MT_OK) status = match->ink_a.status;
     return status == MT_OK ? match->ink_b.status : status;
 }

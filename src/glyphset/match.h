@@ -62,6 +62,9 @@ mt_status mt_match_forms(mt_glyph_match *match, const mt_gsub *a, const mt_gsub 
 /* match_math.c: pairs what the MATH tables of both fonts have for paired glyphs: larger glyphs by their order, parts of assemblies
  * that are alike by their places. */
 void mt_match_math(mt_glyph_match *match, const mt_math_table *a, const mt_math_table *b);
+/* Takes the parts of A's assemblies apart from their partners where they would not join in a font that varies, whose lengths of
+ * parts do not: unless B has the same assembly, in which no length differs by more than half the least overlap. */
+void mt_match_math_hold(mt_glyph_match *match, const mt_math_table *a, const mt_math_table *b);
 /* Adds to the glyphs that are `kept` the larger ones and the parts that A's MATH has for them; whether there were any. */
 bool mt_match_math_reach(const mt_math_table *math, bool *kept);
 

@@ -7,7 +7,7 @@ typedef struct mt_math_grower {
     const mt_math_construction *in_fonts[MT_STOPS_MAX]; /* NULL where a font has none for it */
 } mt_math_grower;
 
-/* The new font's glyph for one of the first font's that stands for the grower; -1 where it is not there. */
+/* The new font's glyph for a larger one of the first font's, which may be the grower itself; -1 where it is not there. */
 static int new_glyph(const mt_math_job *job, const mt_math_grower *grower, uint16_t glyph) {
     return glyph == job->glyphs.of[0][grower->glyph] ? grower->glyph : job->numbers[glyph];
 }
@@ -120,11 +120,11 @@ static mt_status add_italics(const mt_math_job *job, const mt_math_grower *growe
 static mt_status add_assembly(mt_math_job *job, const mt_math_grower *grower, mt_math_growth *growth) {
     const mt_math_construction *first = grower->in_fonts[0];
     for (int i = 0; i < first->part_count; i++)
-        if (new_glyph(job, grower, first->parts[i].glyph) < 0) return MT_OK;
+        if (job->numbers[first->parts[i].glyph] < 0) return MT_OK;
     growth->parts = mt_arena_new(job->arena, (size_t)first->part_count + 1, sizeof *growth->parts);
     mt_status status = growth->parts ? add_italics(job, grower, growth) : MT_NO_MEMORY;
     for (int i = 0; i < first->part_count && status == MT_OK; i++)
-        status = add_part(job, grower, i, new_glyph(job, grower, first->parts[i].glyph), growth);
+        status = add_part(job, grower, i, job->numbers[first->parts[i].glyph], growth);
     growth->part_count = first->part_count;
     return status;
 }
