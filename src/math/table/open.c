@@ -85,6 +85,7 @@ mt_status mt_math_table_open(const mt_font *font, mt_arena *arena, mt_math_table
     mt_status status = mt_font_table(font, MT_TAG('M', 'A', 'T', 'H'), arena, &table);
     if (status == MT_OK) status = open_reader(font, arena, &reader);
     if (status != MT_OK) return status;
+    if (mt_font_is_without_layout(font)) table = (mt_bytes){0};
     *math = (mt_math_table){.state = table.length ? MT_MATH_DAMAGED : MT_MATH_NONE};
     if (table.length < HEADER || mt_ot_u16(table, 0) != 1) return MT_OK;
     read_constants(&reader, mt_math_follow(&reader, table, 4), &made);

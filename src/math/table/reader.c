@@ -9,7 +9,8 @@ mt_bytes mt_math_follow(mt_math_reader *reader, mt_bytes table, size_t at) {
 int mt_math_count(mt_math_reader *reader, mt_bytes table, size_t at, size_t first, size_t size, int most) {
     unsigned said = mt_ot_u16(table, at);
     int count = mt_ot_fit(table, first, said, size);
-    bool all = count == (int)said && count <= most && count <= reader->left;
+    bool said_there = !table.length || mt_ot_has(table, at, 2);
+    bool all = said_there && count == (int)said && count <= most && count <= reader->left;
     reader->damaged |= !all;
     if (!all) return 0;
     reader->left -= count;
@@ -30,7 +31,7 @@ uint16_t mt_math_read_glyph(mt_math_reader *reader, mt_bytes table, size_t at) {
 /* A Coverage table of a known format, whole. */
 static bool is_coverage(mt_bytes coverage) {
     unsigned format = mt_ot_u16(coverage, 0), count = mt_ot_u16(coverage, 2);
-    if (format != 1 && format != 2) return false;
+    if ((format != 1 && format != 2) || !mt_ot_has(coverage, 2, 2)) return false;
     return mt_ot_fit(coverage, 4, count, format == 1 ? 2 : 6) == (int)count;
 }
 

@@ -17,7 +17,8 @@ typedef struct mt_math_reader {
 
 /* What the 16-bit offset at `at` leads to; empty for 0. */
 mt_bytes mt_math_follow(mt_math_reader *reader, mt_bytes table, size_t at);
-/* How many records of `size` bytes there are from `first` on: what the 16 bits at `at` say, if it is not over `most`. */
+/* How many records of `size` bytes there are from `first` on: what the 16 bits at `at` say, if it is not over `most`. None
+ * in an empty table. */
 int mt_math_count(mt_math_reader *reader, mt_bytes table, size_t at, size_t first, size_t size, int most);
 /* The MathValueRecord at `at`, with what the font's place on its axes adds. */
 double mt_math_read_value(mt_math_reader *reader, mt_bytes table, size_t at);
