@@ -22,7 +22,8 @@ typedef struct mt_charset_request {
     bool alternates;             /* of wanted code points, also the forms that text has to ask for */
     const mt_given_pairs *pairs; /* NULL: none */
     int other;                   /* B's number among the fonts of the pairs */
-    bool varies; /* the new font is to: parts of assemblies that differ in length stay the first font's (match.h) */
+    bool
+        varies; /* the new font is to: parts of assemblies that differ in length stay the first font's (match.h) */
 } mt_charset_request;
 
 /* The characters of both fonts, or of A, all or those wanted; and those of A that HarfBuzz takes them apart into, also where B
