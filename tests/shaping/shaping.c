@@ -1,8 +1,8 @@
-/* Shapes the words of a corpus in the blends of two fonts: `shaping CORPUS A B SCRIPT …`. At T = 0, 0.25, 0.5, 0.75 and 1, in
+/* Shapes the words of a corpus in the blends of two fonts: `shaping CORPUS DRAWN A B SCRIPT …`. At T = 0, 0.25, 0.5, 0.75 and 1, in
  * fonts of their own and in the variable font, HarfBuzz has to make of each word the glyphs that it makes of it in A, and at 0
  * each has to stand where it stands in A, within a unit. Prints how many words are right, and how many are drawn at 1 as
  * B draws them: with an intersection over union of 0.98 or more. Words with a character that A or B has not are left out; fails
- * when these are more than half of all. */
+ * when these are more than half of all, and when less words than DRAWN are drawn so. */
 #include <cairo.h>
 #include <hb-ot.h>
 #include <math.h>
@@ -371,9 +371,9 @@ static void check_word(run *this, const mt_word *word, bool verbose) {
 }
 
 /* Whether all are right. */
-static bool report(const run *this) {
+static bool report(const run *this, int drawn) {
     const corpus *words = &this->corpus;
-    bool all = words->count > words->left_out && this->placed == 2 * words->count;
+    bool all = words->count > words->left_out && this->placed == 2 * words->count && this->drawn >= drawn;
     printf("%d words, %d left out; right", words->count, words->left_out);
     for (int i = 0; i < FONTS; i++) {
         printf(i == PLACES ? "; variable %d" : " %d", this->right[i]);
@@ -389,12 +389,12 @@ int main(int argc, char **argv) {
     bool verbose = argc > 1 && strcmp(argv[1], "-v") == 0;
     argv += verbose;
     argc -= verbose;
-    if (argc < 5) return 2;
+    if (argc < 6) return 2;
     static run this;
-    open_all(&this, argv[2], argv[3]);
-    read_corpus(&this, argv[1], argv + 4, argc - 4);
+    open_all(&this, argv[3], argv[4]);
+    read_corpus(&this, argv[1], argv + 5, argc - 5);
     if (this.corpus.count == 0) return 1;
     make_all(&this);
     for (int i = 0; i < this.corpus.count; i++) check_word(&this, &this.corpus.words[i], verbose);
-    return report(&this) ? 0 : 1;
+    return report(&this, atoi(argv[2])) ? 0 : 1;
 }
