@@ -82,6 +82,10 @@ MT_API const char *mt_font_style(const mt_font *font);
 /* The smallest code point that the font maps and that is at least `from`; false when there is none. */
 MT_API bool mt_font_next_char(const mt_font *font, uint32_t from, uint32_t *code_point);
 
+/* The number of the glyph that a name stands for: the font's own name for it; gid12 for number 12; uni0661 for a character's; f_i
+ * for the ligature of f and i. MT_NO_GLYPH, MT_ENDLESS_LOOKUPS, MT_NO_MEMORY. */
+MT_API mt_status mt_font_glyph_of_name(mt_font *font, const char *name, uint32_t *glyph);
+
 /* ---- blends -------------------------------------------------------------------------------------------- */
 
 typedef enum mt_rotation {
@@ -170,6 +174,11 @@ MT_API void mt_blend_set_alternates(mt_blend *blend, bool alternates);
 typedef void (*mt_left_out_noted)(int glyphs, const char *features, void *user);
 MT_API void mt_blend_on_left_out(mt_blend *blend, mt_left_out_noted call, void *user);
 
+/* Keeps these glyphs, by their numbers in the first font, with the characters that lead to them and with what its
+ * substitutions make of them, besides the characters of mt_blend_set_chars; with neither, all. A glyph is paired as in a font of all
+ * characters. Copied; count 0 means none. MT_BAD_PARAMETER for a number that the font has not, MT_NO_MEMORY. */
+MT_API mt_status mt_blend_set_glyph_numbers(mt_blend *blend, const uint32_t *glyphs, int count);
+
 typedef enum mt_glyph_set {
     MT_GLYPHS_BOTH,  /* those that both fonts have */
     MT_GLYPHS_FIRST, /* all of the first font's; what the second has not stays as it is */
@@ -234,6 +243,7 @@ MT_API mt_status mt_variable_set_pairs(mt_variable *variable, const uint32_t *gl
                                        int count); /* a row has a glyph of each font */
 MT_API void mt_variable_set_alternates(mt_variable *variable, bool alternates);
 MT_API void mt_variable_on_left_out(mt_variable *variable, mt_left_out_noted call, void *user);
+MT_API mt_status mt_variable_set_glyph_numbers(mt_variable *variable, const uint32_t *glyphs, int count);
 MT_API void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set);
 MT_API int mt_variable_unblended(const mt_variable *variable);
 
@@ -259,7 +269,7 @@ MT_API mt_status mt_variable_save(mt_variable *variable, const char *path);
 
 /* ---- hints --------------------------------------------------------------------------------------------- */
 
-/* What a person has decided, by characters: which component goes with which, and which place on the boundary
+/* What a person has decided, by characters or glyphs: which component goes with which, and which place on the boundary
  * with which. docs/guide.md has the format of the file. */
 typedef struct mt_hint_table mt_hint_table;
 
@@ -279,9 +289,9 @@ MT_API void mt_hint_table_free(mt_hint_table *table); /* NULL is fine */
 MT_API bool mt_hint_table_next_char(const mt_hint_table *table, uint32_t from, uint32_t *code_point);
 
 /* The blend goes by these hints from now on; NULL: by none. The table is copied. Hints for characters that the
- * fonts do not share are passed over. Characters that lead to the same two glyphs have their hints in common.
- * MT_BAD_HINTS, with `error` (unless NULL) filled in, for a place over 32 em from the origin and for more than
- * 256 hints for one glyph; MT_NO_MEMORY. The blend then goes by the hints it had. */
+ * fonts do not share are passed over, and those for glyphs without a partner. Characters that lead to the same two glyphs have their
+ * hints in common. MT_BAD_HINTS, with `error` (unless NULL) filled in, for a place over 32 em from the origin, for more than
+ * 256 hints for one glyph and for a name that no glyph of the first font has; MT_ENDLESS_LOOKUPS where glyphs have names; MT_NO_MEMORY. The blend then goes by the hints it had. */
 MT_API mt_status mt_blend_set_hints(mt_blend *blend, const mt_hint_table *table, mt_hint_error *error);
 MT_API mt_status mt_variable_set_hints(mt_variable *variable, const mt_hint_table *table,
                                        mt_hint_error *error);

@@ -1,7 +1,7 @@
 #include "characters.h"
 
 #include "base/memory.h"
-#include "base/utf.h"
+#include "geometry/limits.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,42 +13,64 @@ bool characters_have(const characters *set, uint32_t code_point) {
     return set->seen && code_point < CODE_POINTS && (set->seen[code_point / 8] >> code_point % 8 & 1);
 }
 
-static mt_status make_room(characters *set) {
-    if (!set->seen) set->seen = mt_new(CODE_POINTS / 8, 1);
-    if (!set->seen) return MT_NO_MEMORY;
-    if (set->count < set->room) return MT_OK;
-    int room = set->room ? 2 * set->room : 256;
-    uint32_t *list = mt_grow(set->list, (size_t)room, sizeof *list);
+/* ---- rows ----------------------------------------------------------------------------------------------- */
+
+mt_status choices_add(choices *row, const mt_choice *choice) {
+    mt_choice *list = mt_grow_list(row->list, row->count, &row->room, sizeof *list);
     if (!list) return MT_NO_MEMORY;
-    set->list = list;
-    set->room = room;
+    row->list = list;
+    char *name = choice->name ? mt_copy_text(choice->name) : NULL;
+    if (choice->name && !name) return MT_NO_MEMORY;
+    list[row->count++] = (mt_choice){choice->code_point, name, choice->glyph};
     return MT_OK;
 }
 
-mt_status characters_add(characters *set, uint32_t code_point) {
-    if (characters_have(set, code_point)) return MT_OK;
-    if (code_point >= CODE_POINTS) return MT_BAD_PARAMETER;
-    mt_status status = make_room(set);
-    if (status != MT_OK) return status;
-    set->list[set->count++] = code_point;
-    set->seen[code_point / 8] |= (uint8_t)(1 << code_point % 8);
+void choices_free(choices *row) {
+    for (int i = 0; i < row->count; i++) mt_free((void *)(uintptr_t)row->list[i].name);
+    mt_free(row->list);
+    *row = (choices){0};
+}
+
+/* ---- sets ----------------------------------------------------------------------------------------------- */
+
+/* Adds a value under `values` to a list, and its bit to those that were seen, unless it has it. *added: it had not. */
+static mt_status add_value(uint32_t value, size_t values, uint32_t **list, int *count, int *room,
+                           uint8_t **seen, bool *added) {
+    if (!*seen) *seen = mt_new(values / 8 + 1, 1);
+    if (!*seen) return MT_NO_MEMORY;
+    *added = !((*seen)[value / 8] >> value % 8 & 1);
+    if (!*added) return MT_OK;
+    uint32_t *grown = mt_grow_list(*list, *count, room, sizeof *grown);
+    if (!grown) return MT_NO_MEMORY;
+    *list = grown;
+    (*list)[(*count)++] = value;
+    (*seen)[value / 8] |= (uint8_t)(1 << value % 8);
     return MT_OK;
+}
+
+mt_status characters_add_choice(characters *set, const mt_choice *choice) {
+    bool added;
+    uint32_t value = choice->name ? choice->glyph : choice->code_point;
+    size_t values = choice->name ? MT_GLYPHS_MAX : CODE_POINTS;
+    if (value >= values) return MT_BAD_PARAMETER;
+    mt_status status =
+        choice->name ? add_value(value, values, &set->glyphs, &set->glyph_count, &set->glyph_room,
+                                 &set->seen_glyphs, &added)
+                     : add_value(value, values, &set->list, &set->count, &set->room, &set->seen, &added);
+    return status == MT_OK && added ? choices_add(&set->order, choice) : status;
+}
+
+mt_status characters_add(characters *set, uint32_t code_point) {
+    return characters_add_choice(set, &(mt_choice){.code_point = code_point});
 }
 
 void characters_free(characters *set) {
     mt_free(set->list);
     mt_free(set->seen);
+    mt_free(set->glyphs);
+    mt_free(set->seen_glyphs);
+    choices_free(&set->order);
     *set = (characters){0};
-}
-
-mt_status characters_add_text(characters *set, const char *utf8) {
-    uint32_t code_point;
-    while (*utf8) {
-        if (!mt_utf8_next(&utf8, &code_point)) return MT_BAD_PARAMETER;
-        mt_status status = code_point == '\n' ? MT_OK : characters_add(set, code_point);
-        if (status != MT_OK) return status;
-    }
-    return MT_OK;
 }
 
 mt_status characters_add_font(characters *set, const mt_font *font) {

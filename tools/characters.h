@@ -1,21 +1,34 @@
-/* Sets of characters: of a text, of a file, of a font. */
+/* Sets of characters, and of glyphs by their names: of a text, of a file, of a font. */
 #pragma once
 
-#include "morphotype.h"
+#include "blend/choice.h"
+
+/* Characters and glyphs in a row; it owns the glyphs' names. */
+typedef struct choices {
+    mt_choice *list;
+    int count, room;
+} choices; /* all zero is empty */
+
+/* Adds one, with a copy of its name. MT_NO_MEMORY. */
+mt_status choices_add(choices *row, const mt_choice *choice);
+void choices_free(choices *row);
 
 typedef struct characters {
     uint32_t *list; /* no two alike, in the order in which they were added */
     int count, room;
-    uint8_t *seen; /* a bit for each code point */
-} characters;      /* all zero is empty */
+    uint8_t *seen;    /* a bit for each code point */
+    uint32_t *glyphs; /* numbers of the named ones, no two alike */
+    int glyph_count, glyph_room;
+    uint8_t *seen_glyphs; /* a bit for each number */
+    choices order;        /* all of both, in the order in which they were added */
+} characters;             /* all zero is empty */
 
 /* Adds one unless it is there already. MT_NO_MEMORY. */
 mt_status characters_add(characters *set, uint32_t code_point);
+/* The same of a character or a glyph. */
+mt_status characters_add_choice(characters *set, const mt_choice *choice);
 bool characters_have(const characters *set, uint32_t code_point);
 void characters_free(characters *set);
-
-/* Adds those of a UTF-8 text, line ends left out. MT_BAD_PARAMETER when it is no UTF-8. */
-mt_status characters_add_text(characters *set, const char *utf8);
 
 /* Adds those of a font. */
 mt_status characters_add_font(characters *set, const mt_font *font);

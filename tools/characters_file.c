@@ -2,8 +2,8 @@
 
 #include "base/file.h"
 #include "base/memory.h"
-#include "base/utf.h"
 #include "messages.h"
+#include "work.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -42,56 +42,80 @@ static bool read_range(const char **at, uint32_t *first, uint32_t *last) {
     return is_blank(**at);
 }
 
-static const char *add_range(characters *set, const char **at) {
+/* A file that is being read. */
+typedef struct file_reading {
+    characters *set;
+    notation *reader;
+    const char *font, *path;
+    int line; /* from 1 */
+} file_reading;
+
+static int fail_line(const file_reading *file, const char *problem) {
+    return fail("%s:%d: %s", file->path, file->line, problem);
+}
+
+static int add_range(const file_reading *file, const char **at) {
     uint32_t first, last;
-    if (!read_range(at, &first, &last)) return "a code point is written U+4E00, a range U+4E00-4E2F";
-    if (last < first) return "the range runs backwards";
-    if (last > 0x10ffff) return "the last code point is U+10FFFF";
+    if (!read_range(at, &first, &last))
+        return fail_line(file, "a code point is written U+4E00, a range U+4E00-4E2F");
+    if (last < first) return fail_line(file, "the range runs backwards");
+    if (last > 0x10ffff) return fail_line(file, "the last code point is U+10FFFF");
     for (uint32_t c = first; c <= last; c++) {
         bool surrogate = c >= 0xd800 && c <= 0xdfff;
-        if (!surrogate && characters_add(set, c) != MT_OK) return mt_status_text(MT_NO_MEMORY);
-    }
-    return NULL;
-}
-
-static const char *add_character(characters *set, const char **at) {
-    uint32_t code_point;
-    if (!mt_utf8_next(at, &code_point)) return "not UTF-8";
-    return characters_add(set, code_point) == MT_OK ? NULL : mt_status_text(MT_NO_MEMORY);
-}
-
-/* Adds what stands on one line; what is wrong with it, or NULL. */
-static const char *add_line(characters *set, const char *line) {
-    const char *problem = NULL;
-    bool after_blank = true;
-    for (const char *at = line; *at && !problem;) {
-        if (after_blank && *at == '#') break;
-        if (is_blank(*at))
-            after_blank = true, at++;
-        else if (after_blank && starts_code_point(at))
-            problem = add_range(set, &at);
-        else
-            after_blank = false, problem = add_character(set, &at);
-    }
-    return problem;
-}
-
-/* `text` is cut into lines in place. */
-static int add_lines(characters *set, const char *path, char *text, const char *end) {
-    int number = 1;
-    if (strncmp(text, "\xef\xbb\xbf", 3) == 0) text += 3; /* a byte order mark */
-    for (char *next; text < end; text = next, number++) {
-        char *stop = text + strcspn(text, "\n");
-        if (stop < end && *stop == '\0') return fail("%s:%d: not UTF-8 text", path, number);
-        next = stop + 1;
-        *stop = '\0';
-        const char *problem = add_line(set, text);
-        if (problem) return fail("%s:%d: %s", path, number, problem);
+        if (!surrogate && characters_add(file->set, c) != MT_OK)
+            return fail_line(file, mt_status_text(MT_NO_MEMORY));
     }
     return DONE;
 }
 
-int characters_add_file(characters *set, const char *path) {
+static int add_choice(const file_reading *file, const char **at) {
+    mt_choice choice;
+    char name[NOTATION_NAME_MAX + 1];
+    mt_status status = notation_next(file->reader, at, &choice, name);
+    if (status == MT_OK) status = characters_add_choice(file->set, &choice);
+    if (status == MT_NO_GLYPH)
+        return fail("%s:%d: %s has no glyph /%s", file->path, file->line, file->font, name);
+    if (status == MT_BAD_PARAMETER) return fail_line(file, "not UTF-8");
+    return status == MT_OK ? DONE : fail_status(file->font, status);
+}
+
+/* Adds what stands on one line. */
+static int add_line(const file_reading *file, const char *line) {
+    int outcome = DONE;
+    bool after_blank = true;
+    file->reader->after_word = false;
+    for (const char *at = line; *at && outcome == DONE;) {
+        if (after_blank && *at == '#') break;
+        if (is_blank(*at)) {
+            after_blank = true, at++;
+            file->reader->after_word = false;
+        } else if (after_blank && starts_code_point(at)) {
+            outcome = add_range(file, &at);
+        } else {
+            outcome = add_choice(file, &at);
+            after_blank = !file->reader->after_word;
+        }
+    }
+    return outcome;
+}
+
+/* `text` is cut into lines in place. */
+static int add_lines(file_reading *file, char *text, const char *end) {
+    int outcome = DONE;
+    if (strncmp(text, "\xef\xbb\xbf", 3) == 0) text += 3; /* a byte order mark */
+    for (char *next; text < end && outcome == DONE; text = next) {
+        char *stop = text + strcspn(text, "\n");
+        file->line++;
+        if (stop < end && *stop == '\0') return fail_line(file, "not UTF-8 text");
+        next = stop + 1;
+        *stop = '\0';
+        outcome = add_line(file, text);
+    }
+    return outcome;
+}
+
+int characters_add_file(characters *set, const char *path, notation *reader, const char *font) {
+    file_reading file = {.set = set, .reader = reader, .font = font, .path = path};
     uint8_t *bytes;
     size_t length;
     errno = 0;
@@ -104,7 +128,7 @@ int characters_add_file(characters *set, const char *path) {
         return fail("%s: %s", path, mt_status_text(MT_NO_MEMORY));
     }
     text[length] = '\0';
-    int outcome = add_lines(set, path, text, text + length);
+    int outcome = add_lines(&file, text, text + length);
     mt_free(text);
     return outcome;
 }

@@ -1,6 +1,7 @@
 #include "hints_file.h"
 
 #include "characters.h"
+#include "hints/table.h"
 #include "messages.h"
 #include "work.h"
 
@@ -8,8 +9,20 @@
 
 #define RANGES_MOST 12 /* ranges in the line on characters left out */
 
-int hints_fail(const cli_options *options, mt_status status, const mt_hint_error *error) {
+/* The name of a glyph that stands on a line of the file; NULL where none does. */
+static const char *name_on(const mt_hint_table *table, int line) {
+    for (int i = table ? table->character_count : 0; table && i < table->count; i++)
+        if (table->lines[i].name_line == line) return table->lines[i].name;
+    return NULL;
+}
+
+int hints_fail(const cli_options *options, mt_status status, const mt_hint_error *error,
+               const mt_hint_table *table) {
     if (status != MT_BAD_HINTS) return fail_status(options->hints_file, status);
+    const char *name = name_on(table, error->line);
+    if (name)
+        return fail("%s:%d: %s has no glyph /%.255s", options->hints_file, error->line, options->fonts[0],
+                    name);
     return fail("%s:%d: %s", options->hints_file, error->line, error->reason);
 }
 
@@ -47,7 +60,7 @@ int hints_read(const cli_options *options, mt_font *const *fonts, int count, mt_
     if (!options->hints_file) return DONE;
     errno = 0;
     mt_status status = mt_hint_table_open(options->hints_file, table, &error);
-    if (status != MT_OK) return hints_fail(options, status, &error);
+    if (status != MT_OK) return hints_fail(options, status, &error, NULL);
     if (!options->verbose || count < 2) return DONE;
     int outcome = say_lacking(options, *table, fonts, count);
     if (outcome == DONE) return DONE;

@@ -7,5 +7,7 @@
  * its characters not all of the `count` fonts have. DONE or, said, COULD_NOT. */
 int hints_read(const cli_options *options, mt_font *const *fonts, int count, mt_hint_table **table);
 
-/* Says why the file's hints cannot be used, with its line on MT_BAD_HINTS, and gives COULD_NOT. */
-int hints_fail(const cli_options *options, mt_status status, const mt_hint_error *error);
+/* Says why the file's hints cannot be used, on MT_BAD_HINTS with its line and with the name of a glyph that the first font has not,
+ * and gives COULD_NOT. The table is NULL where there is none. */
+int hints_fail(const cli_options *options, mt_status status, const mt_hint_error *error,
+               const mt_hint_table *table);

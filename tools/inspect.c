@@ -20,6 +20,8 @@ typedef struct inspection {
     mt_font *fonts[2]; /* the second NULL where there is one */
     mt_given_pairs pairs;
     characters chosen;
+    choices text;
+    glyph_notes unblended;
     mt_row row; /* of these fonts; all zero until it is open */
     mt_inspection what;
 } inspection;
@@ -29,20 +31,22 @@ static bool is_json(const char *path) {
     return dot && strcasecmp(dot, ".json") == 0;
 }
 
-/* Says what went wrong, at a character or with the output. */
-static int fail_at(const inspection *this, uint32_t code_point, const char *output, mt_status status) {
-    char name[CHARACTER_NAME_ROOM], fonts[8192];
-    if (code_point == 0) return fail_status(output, status);
-    character_describe(code_point, name, sizeof name);
-    if (this->fonts[1])
-        work_name(this->options, fonts, sizeof fonts);
+/* Says what went wrong, at a character or glyph or, under 0, with the output or both fonts. */
+static int fail_at(const inspection *this, int failed, const char *output, mt_status status) {
+    char name[MT_CHOICE_LABEL_ROOM], fonts[8192];
+    if (failed < 0 && status != MT_ENDLESS_LOOKUPS) return fail_status(output, status);
+    work_name(this->options, fonts, sizeof fonts);
+    if (failed < 0) return fail_status(fonts, status);
+    const mt_choice *choice = &this->what.choices[failed];
+    if (choice->name)
+        mt_choice_label(choice, name);
     else
-        snprintf(fonts, sizeof fonts, "%s", this->options->fonts[0]);
+        character_describe(choice->code_point, name, sizeof name);
     return fail("%s: %s: %s", fonts, name, mt_status_text(status));
 }
 
 static int write_picture(inspection *this) {
-    uint32_t failed;
+    int failed;
     const char *output = this->options->output;
     mt_status status = mt_inspect_save(&this->row, &this->what, output, &failed);
     return status == MT_OK ? DONE : fail_at(this, failed, output, status);
@@ -52,7 +56,7 @@ static int write_picture(inspection *this) {
 static int write_data(inspection *this, const char *path) {
     uint8_t *bytes;
     size_t length;
-    uint32_t failed;
+    int failed;
     mt_status status = mt_inspect_json(&this->row, &this->what, &bytes, &length, &failed);
     if (status != MT_OK) return fail_at(this, failed, path ? path : "stdout", status);
     int outcome = DONE;
@@ -92,14 +96,20 @@ static int set_hints(inspection *this) {
     int outcome = hints_read(this->options, this->fonts, this->row.font_count, &table);
     if (outcome != DONE) return outcome;
     mt_status status = mt_row_set_hints(&this->row, table, &error);
+    if (status == MT_BAD_HINTS) outcome = hints_fail(this->options, status, &error, table);
+    if (status != MT_OK && status != MT_BAD_HINTS)
+        outcome = fail_at(this, -1, this->options->hints_file, status);
     mt_hint_table_free(table);
-    return status == MT_OK ? DONE : hints_fail(this->options, status, &error);
+    return outcome;
 }
 
 static int open_row(inspection *this, int count) {
     mt_status status = mt_row_open(this->fonts, count, &this->options->params, &this->row);
     if (status == MT_OK) status = mt_row_set_pairs(&this->row, this->pairs.glyphs, this->pairs.count);
-    return status == MT_OK ? set_hints(this) : fail_status(this->options->command, status);
+    if (status != MT_OK) return fail_status(this->options->command, status);
+    this->row.kept = glyph_notes_add;
+    this->row.kept_user = &this->unblended;
+    return set_hints(this);
 }
 
 static int run(cli_options *options) {
@@ -107,27 +117,32 @@ static int run(cli_options *options) {
     int outcome = check(options), count = options->fonts[1] ? 2 : 1;
     if (outcome == DONE) outcome = fonts_open(options, this.fonts);
     if (outcome == DONE) outcome = pairs_file_read(options, this.fonts, &this.pairs);
-    if (outcome == DONE) outcome = characters_choose(options, this.fonts, count, &this.pairs, &this.chosen);
+    if (outcome == DONE)
+        outcome = characters_choose(options, this.fonts, count, &this.pairs, &this.chosen, &this.text);
     if (outcome == DONE) outcome = open_row(&this, count);
-    this.what = (mt_inspection){.code_points = this.chosen.list,
-                                .count = this.chosen.count,
+    this.what = (mt_inspection){.choices = this.chosen.order.list,
+                                .count = this.chosen.order.count,
                                 .size = options->size > 0 ? options->size : SIZE};
     if (outcome == DONE) outcome = write_output(&this);
+    if (outcome == DONE && !options->quiet) glyph_notes_say_unblended(&this.unblended, options);
+    glyph_notes_free(&this.unblended);
     mt_row_close(&this.row);
     for (int i = 0; i < 2; i++) mt_font_close(this.fonts[i]);
     mt_given_pairs_free(&this.pairs);
     characters_free(&this.chosen);
+    choices_free(&this.text);
     return outcome;
 }
 
 const cli_command inspect_command = {
     .name = "inspect",
     .summary = "components, convex pieces and links: how characters are matched",
-    .help = "usage: morphotype inspect FONT [FONT] --text TEXT [-o OUT.svg|png|pdf] [--json] [OPTION...]\n"
-            "\n"
-            "Shows each character's components by colour, its convex pieces, and the links between the "
-            "pieces of both\n"
-            "fonts. With --json the same comes as data: on stdout, or in OUT when that ends in .json.\n",
+    .help =
+        "usage: morphotype inspect FONT [FONT] --text TEXT [-o OUT.svg|png|pdf] [--json] [OPTION...]\n"
+        "\n"
+        "Shows the components of each character or glyph by colour, its convex pieces, and the links\n"
+        "between the pieces of both fonts. With --json the same comes as data: on stdout, or in OUT when\n"
+        "that ends in .json.\n",
     .takes = "otczJ",
     .fonts_min = 1,
     .fonts_max = 2,

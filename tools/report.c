@@ -30,16 +30,19 @@ static int run(cli_options *options) {
 const cli_command report_command = {
     .name = "report",
     .summary = "which glyphs between two fonts need a look, and why",
-    .help = "usage: morphotype report FONT FONT -o OUT.html|json [OPTION...]\n"
-            "\n"
-            "Measures every character that both fonts have, or those that --text or --chars names, at nine "
-            "places, and\n"
-            "lists them, the worst first: counts of components and holes, ink, points, kinks. The page shows "
-            "strips of\n"
-            "those that need a look. --text wants all of its characters in both fonts; of --chars those are "
-            "left out that\n"
-            "one font lacks. A glyph that cannot be blended is in the report.\n",
-    .takes = "otcL",
+    .help =
+        "usage: morphotype report FONT FONT -o OUT.html|json [OPTION...]\n"
+        "\n"
+        "Measures every glyph that blend makes of the same characters, ligatures and other forms too, at "
+        "nine places,\n"
+        "and lists them, the worst first: counts of components and holes, ink, points, kinks. The page "
+        "shows strips\n"
+        "of those that need a look. --text wants all of its characters in both fonts; of --chars those are "
+        "left out\n"
+        "that one font lacks. A glyph that cannot be blended is in the report. A glyph without a character "
+        "has its\n"
+        "name: /f_i.\n",
+    .takes = "otcEL",
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

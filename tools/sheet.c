@@ -23,8 +23,8 @@ static char *font_title(const mt_font *font) {
 
 static mt_status save(cli_work *work, const char *title_a, const char *title_b) {
     const cli_options *options = work->options;
-    mt_sheet sheet = {.code_points = work->chosen.list,
-                      .count = work->chosen.count,
+    mt_sheet sheet = {.choices = work->chosen.order.list,
+                      .count = work->chosen.order.count,
                       .at = options->at,
                       .step_count = options->at_count,
                       .size = options->size > 0 ? options->size : SIZE,
@@ -71,11 +71,10 @@ const cli_command sheet_command = {
     .summary = "a grid of characters and places between two fonts, page by page",
     .help = "usage: morphotype sheet FONT FONT --chars FILE|--text TEXT -o OUT.pdf|png|svg [OPTION...]\n"
             "\n"
-            "Draws each character, a row each, at 6 places, or at those of --steps or --at. A PDF holds all "
-            "pages; the\n"
-            "pages of PNG and SVG are OUT.png, OUT-2.png and so on. --text wants all of its characters in "
-            "both fonts;\n"
-            "of --chars those are left out that one font lacks.\n",
+            "Draws each character or glyph, a row each, at 6 places, or at those of --steps or --at. A PDF\n"
+            "holds all pages; the pages of PNG and SVG are OUT.png, OUT-2.png and so on. --text wants all of "
+            "its\n"
+            "characters in both fonts; of --chars those are left out that one font lacks.\n",
     .takes = "oantczpSL",
     .fonts_min = 2,
     .fonts_max = 2,

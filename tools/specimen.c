@@ -1,14 +1,27 @@
 /* morphotype specimen: a page on which the variable font of two fonts, or more, is tried out. */
+#include "base/memory.h"
+#include "base/utf.h"
 #include "commands.h"
 #include "messages.h"
 #include "specimen/specimen.h"
 #include "work.h"
 
+/* The text's characters, without its named glyphs, which a page cannot set; from mt_new, NULL when out of memory. */
+static char *plain_text(const choices *text) {
+    char *plain = mt_new((size_t)text->count * 4 + 1, 1), *end = plain;
+    for (int i = 0; plain && i < text->count; i++)
+        if (!text->list[i].name) end += mt_utf8_put(text->list[i].code_point, end);
+    return plain;
+}
+
 static int save(cli_work *work) {
     const cli_options *options = work->options;
+    char *text = options->text ? plain_text(&work->text) : NULL;
+    if (options->text && !text) return work_fail(work, MT_NO_MEMORY);
     const mt_specimen_request request = {
-        .variable = work->variable, .text = options->text, .made = work_made, .user = work};
+        .variable = work->variable, .text = text, .made = work_made, .user = work};
     mt_status status = mt_specimen_save(&request, options->output);
+    mt_free(text);
     if (status != MT_OK) return work_fail(work, status);
     if (options->verbose) say("%s: %d fonts", options->output, options->font_count);
     return DONE;

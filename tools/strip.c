@@ -10,7 +10,8 @@
 
 static int draw(cli_work *work) {
     const cli_options *options = work->options;
-    mt_strip strip = {.text = options->text,
+    mt_strip strip = {.text = work->text.list,
+                      .length = work->text.count,
                       .at = options->at,
                       .step_count = options->at_count,
                       .size = options->size > 0 ? options->size : SIZE,

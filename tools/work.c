@@ -100,13 +100,28 @@ static void add_lacking(const char_source *source, int font, const characters *w
     if (lacking > RANGES_MOST) snprintf(line + used, room - used, " and %d more", lacking - RANGES_MOST);
 }
 
+static int read_text(const cli_options *options, notation *reader, characters *chosen, choices *text) {
+    char name[NOTATION_NAME_MAX + 1];
+    mt_status status = MT_OK;
+    for (const char *at = options->text; *at && status == MT_OK;) {
+        mt_choice choice;
+        status = notation_next(reader, &at, &choice, name);
+        if (status == MT_NO_GLYPH) return fail("--text: %s has no glyph /%s", options->fonts[0], name);
+        bool ends_line = status == MT_OK && !choice.name && choice.code_point == '\n';
+        if (status == MT_OK) status = choices_add(text, &choice);
+        if (status == MT_OK && !ends_line) status = characters_add_choice(chosen, &choice);
+    }
+    if (status == MT_BAD_PARAMETER) return fail_status("--text", status);
+    return status == MT_OK ? DONE : fail_status(options->fonts[0], status);
+}
+
 /* A text is wanted whole. */
-static int choose_text(const char_source *source, characters *chosen) {
+static int choose_text(const char_source *source, notation *reader, characters *chosen, choices *text) {
     const cli_options *options = source->options;
     char line[NAME_ROOM] = "";
-    mt_status status = characters_add_text(chosen, options->text);
-    if (status != MT_OK) return fail_status("--text", status);
-    if (chosen->count == 0) return misuse(options->command, "--text: no characters");
+    int outcome = read_text(options, reader, chosen, text);
+    if (outcome != DONE) return outcome;
+    if (chosen->order.count == 0) return misuse(options->command, "--text: no characters");
     for (int i = 0; i < source->count; i++) add_lacking(source, i, chosen, line, sizeof line);
     return *line ? fail("%s", line) : DONE;
 }
@@ -120,7 +135,7 @@ static void say_characters(const cli_options *options, characters *set, const ch
 }
 
 /* Of a file, those that all fonts have, or the one that is asked. */
-static int choose_file(const char_source *source, characters *chosen) {
+static int choose_file(const char_source *source, notation *reader, characters *chosen) {
     const cli_options *options = source->options;
     const int count = source->count;
     characters wanted = {0}, left_out = {0};
@@ -128,15 +143,17 @@ static int choose_file(const char_source *source, characters *chosen) {
     char where[NAME_ROOM];
     snprintf(where, sizeof where, "not in %s", everyone);
     if (count == 1) snprintf(where, sizeof where, "not in %s", options->fonts[0]);
-    int outcome = characters_add_file(&wanted, options->chars_file);
+    int outcome = characters_add_file(&wanted, options->chars_file, reader, options->fonts[0]);
     mt_status status = MT_OK;
-    for (int i = 0; outcome == DONE && status == MT_OK && i < wanted.count; i++) {
+    for (int i = 0; outcome == DONE && status == MT_OK && i < wanted.order.count; i++) {
+        const mt_choice *choice = &wanted.order.list[i];
         bool everywhere = true;
-        for (int k = 0; k < count; k++) everywhere = everywhere && has_char(source, k, wanted.list[i]);
-        status = characters_add(everywhere ? chosen : &left_out, wanted.list[i]);
+        for (int k = 0; k < count && !choice->name; k++)
+            everywhere = everywhere && has_char(source, k, choice->code_point);
+        status = characters_add_choice(everywhere ? chosen : &left_out, choice);
     }
     if (status != MT_OK) outcome = fail_status(options->chars_file, status);
-    if (outcome == DONE && chosen->count == 0)
+    if (outcome == DONE && chosen->order.count == 0)
         outcome = fail("%s: none of its %d characters is in %s", options->chars_file, wanted.count,
                        count > 1 ? everyone : options->fonts[0]);
     if (outcome == DONE) say_characters(options, &left_out, where, "left out");
@@ -146,11 +163,16 @@ static int choose_file(const char_source *source, characters *chosen) {
 }
 
 int characters_choose(const cli_options *options, mt_font *const *fonts, int count,
-                      const mt_given_pairs *pairs, characters *chosen) {
+                      const mt_given_pairs *pairs, characters *chosen, choices *text) {
     const char_source source = {options, fonts, count, pairs};
-    if (options->text) return choose_text(&source, chosen);
-    if (options->chars_file) return choose_file(&source, chosen);
-    return DONE;
+    notation reader = {0};
+    if (!options->text && !options->chars_file) return DONE;
+    mt_status status = mt_naming_open(fonts[0], &reader.naming);
+    if (status != MT_OK) return fail_status(options->fonts[0], status);
+    int outcome =
+        options->text ? choose_text(&source, &reader, chosen, text) : choose_file(&source, &reader, chosen);
+    mt_naming_close(reader.naming);
+    return outcome;
 }
 
 /* Whether a glyph of the font goes with others by a given pair. */
@@ -250,8 +272,18 @@ static int set_hints(cli_work *work) {
     if (outcome != DONE) return outcome;
     mt_status status = work->variable ? mt_variable_set_hints(work->variable, table, &error)
                                       : mt_blend_set_hints(work->blend, table, &error);
+    if (status == MT_BAD_HINTS) outcome = hints_fail(work->options, status, &error, table);
+    if (status != MT_OK && status != MT_BAD_HINTS) outcome = work_fail(work, status);
     mt_hint_table_free(table);
-    return status == MT_OK ? DONE : hints_fail(work->options, status, &error);
+    return outcome;
+}
+
+/* The characters and glyphs chosen; of a whole font, tells what not all fonts have. */
+static mt_status choose(cli_work *work) {
+    const characters *chosen = &work->chosen;
+    mt_row *row = work->variable ? &work->variable->row : &work->blend->row;
+    if (chosen->order.count == 0) return summarise(work);
+    return mt_row_choose(row, chosen->order.list, chosen->order.count);
 }
 
 static int make_blend(cli_work *work) {
@@ -263,9 +295,7 @@ static int make_blend(cli_work *work) {
     if (status == MT_OK) mt_blend_set_alternates(work->blend, options->alternates);
     if (status == MT_OK && options->family) status = mt_blend_set_family(work->blend, options->family);
     if (status == MT_OK) status = mt_blend_set_styles(work->blend, options->styles, options->style_count);
-    if (status == MT_OK && work->chosen.count > 0)
-        status = mt_blend_set_chars(work->blend, work->chosen.list, work->chosen.count);
-    if (status == MT_OK && work->chosen.count == 0) status = summarise(work);
+    if (status == MT_OK) status = choose(work);
     if (status != MT_OK) return work_fail(work, status);
     mt_blend_on_glyph_failure(work->blend, glyph_notes_add, &work->failures);
     mt_blend_on_unblended(work->blend, glyph_notes_add, &work->unblended);
@@ -290,9 +320,7 @@ static int make_variable(cli_work *work) {
     if (status == MT_OK)
         status =
             mt_variable_set_map(work->variable, options->map_values, options->map_places, options->map_count);
-    if (status == MT_OK && work->chosen.count > 0)
-        status = mt_variable_set_chars(work->variable, work->chosen.list, work->chosen.count);
-    if (status == MT_OK && work->chosen.count == 0) status = summarise(work);
+    if (status == MT_OK) status = choose(work);
     if (status != MT_OK) return work_fail(work, status);
     mt_variable_on_glyph_failure(work->variable, glyph_notes_add, &work->failures);
     mt_variable_on_unblended(work->variable, glyph_notes_add, &work->unblended);
@@ -308,7 +336,7 @@ static int open_fonts(const cli_options *options, cli_work *work) {
     int asked = options->glyphs == MT_GLYPHS_FIRST ? 1 : options->font_count;
     if (outcome == DONE) outcome = pairs_file_read(options, work->fonts, &work->pairs);
     if (outcome != DONE) return outcome;
-    return characters_choose(options, work->fonts, asked, &work->pairs, &work->chosen);
+    return characters_choose(options, work->fonts, asked, &work->pairs, &work->chosen, &work->text);
 }
 
 int work_begin(const cli_options *options, cli_work *work) {
@@ -357,6 +385,7 @@ void work_end(cli_work *work) {
     for (int i = 0; i < work->options->font_count; i++) mt_font_close(work->fonts[i]);
     characters_free(&work->chosen);
     mt_given_pairs_free(&work->pairs);
+    choices_free(&work->text);
     glyph_notes_free(&work->failures);
     glyph_notes_free(&work->unblended);
 }

@@ -15,6 +15,7 @@ typedef struct cli_work {
     mt_variable *variable;                 /* NULL for a blend */
     mt_given_pairs pairs;                  /* of --pairs */
     characters chosen; /* those of --text or --chars that both fonts have; empty without either */
+    choices text;      /* of --text, with its line ends */
     progress bar;
     glyph_notes failures, unblended;
     bool stopped; /* work_made has said why */
@@ -32,10 +33,11 @@ int fail_status(const char *what, mt_status status);
  * opened are to be closed either way. */
 int fonts_open(const cli_options *options, mt_font **fonts);
 
-/* Collects the characters of --text, all of which each of the `count` fonts must have, or those of --chars
- * that all have, in the first a glyph and in the others that or one that is paired with it. Those that are left out are told once. DONE or, said, COULD_NOT. */
+/* Collects the characters of --text, all of which each of the `count` fonts must have, or those of --chars that all have, in the
+ * first a glyph and in the others that or one that is paired with it; and the glyphs that either names, which the first font must
+ * have. Those that are left out are told once. `text` has all of --text as it stands there. DONE or, said, COULD_NOT. */
 int characters_choose(const cli_options *options, mt_font *const *fonts, int count,
-                      const mt_given_pairs *pairs, characters *chosen);
+                      const mt_given_pairs *pairs, characters *chosen, choices *text);
 
 /* Opens both fonts and makes the blend, of the characters chosen, for `options->at_count` fonts. DONE or,
  * said, COULD_NOT; either way the work is to be ended. */

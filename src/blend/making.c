@@ -80,6 +80,15 @@ static mt_status order_glyphs(mt_making *making) {
     return MT_OK;
 }
 
+static mt_status list_origins(mt_making *making) {
+    const mt_pairing *glyphs = making->set.charset.glyphs;
+    making->origins = mt_arena_new(&making->arena, (size_t)making->glyph_count, sizeof *making->origins);
+    if (!making->origins) return MT_NO_MEMORY;
+    for (int i = 0; i < making->glyph_count; i++)
+        making->origins[i] = (mt_origin){glyphs[i].a, glyphs[i].code_point};
+    return MT_OK;
+}
+
 static mt_status take_layout(mt_making *making) {
     const mt_charset *charset = &making->set.charset;
     const mt_row *row = making->row;
@@ -104,6 +113,7 @@ mt_status mt_making_begin_font(mt_making *making, mt_row *row) {
     row->unblended = making->set.charset.unblended_count;
     status = mt_composites_find(row, &making->set.fonts, &making->arena, &making->composites);
     if (status == MT_OK) status = order_glyphs(making);
+    if (status == MT_OK) status = list_origins(making);
     if (status == MT_OK) status = take_layout(making);
     if (status == MT_OK) note_unblended(making);
     return status == MT_OK ? note_left_out(making) : status;
@@ -197,6 +207,7 @@ mt_font_data mt_making_font(const mt_making *making, mt_glyf *glyphs) {
     mt_font_data data = {.units = making->units,
                          .glyph_count = charset->glyph_count,
                          .glyphs = glyphs,
+                         .origins = making->origins,
                          .char_count = charset->char_count,
                          .chars = charset->chars,
                          .variant_count = charset->variant_count,

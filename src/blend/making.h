@@ -48,6 +48,7 @@ struct mt_making {
     mt_row_glyphs set;
     mt_composite *composites; /* of each glyph; NULL: none are looked for */
     int *order;               /* the glyphs by depth */
+    mt_origin *origins;       /* of each glyph */
     mt_layout_tables layout;  /* the first font's substitutions, for the glyphs that are kept */
     const char **glyph_names; /* NULL: none */
     mt_positions *positions;

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "blend/metadata.h"
+#include "blend/named_hints.h"
 #include "blend/private_names.h"
 #include "blend/review.h"
 #include "morph/model/params.h"
@@ -47,29 +48,46 @@ void mt_row_close(mt_row *row) {
     mt_free(row->family);
     free_styles(row->styles, row->style_count);
     mt_free(row->wanted);
+    mt_free(row->wanted_glyphs);
     mt_given_pairs_free(&row->pairs);
     pthread_mutex_destroy(&row->lock);
 }
 
 mt_status mt_row_set_hints(mt_row *row, const mt_hint_table *table, mt_hint_error *error) {
+    mt_arena arena = {0};
+    mt_hint_glyphs *named[MT_VARIABLE_FONTS_MAX] = {0};
     mt_hint_index **hints = mt_new((size_t)row->font_count, sizeof *hints);
     mt_status status = hints ? MT_OK : MT_NO_MEMORY;
+    if (table && status == MT_OK)
+        status = mt_named_hints_find(row->fonts, row->font_count, &row->pairs, table, &arena, named, error);
     for (int i = 0; table && i + 1 < row->font_count && status == MT_OK; i++)
-        status = mt_hint_index_new(table, row->fonts, i, &row->pairs, &hints[i], error);
+        status = mt_hint_index_new(table, named[i], row->fonts, i, &row->pairs, &hints[i], error);
+    mt_arena_release(&arena);
     mt_hint_index **unused = status == MT_OK ? row->hints : hints;
     if (status == MT_OK) row->hints = hints;
     if (unused) free_hints(unused, row->font_count);
     return status;
 }
 
-mt_status mt_row_set_chars(mt_row *row, const uint32_t *code_points, int count) {
+/* Puts a copy of the list in place of another one. */
+static mt_status replace_list(uint32_t **list, int *list_count, const uint32_t *values, int count) {
     uint32_t *copy = count > 0 ? mt_new((size_t)count, sizeof *copy) : NULL;
     if (count > 0 && !copy) return MT_NO_MEMORY;
-    for (int i = 0; i < count; i++) copy[i] = code_points[i];
-    mt_free(row->wanted);
-    row->wanted = copy;
-    row->wanted_count = count > 0 ? count : 0;
+    for (int i = 0; i < count; i++) copy[i] = values[i];
+    mt_free(*list);
+    *list = copy;
+    *list_count = count > 0 ? count : 0;
     return MT_OK;
+}
+
+mt_status mt_row_set_chars(mt_row *row, const uint32_t *code_points, int count) {
+    return replace_list(&row->wanted, &row->wanted_count, code_points, count);
+}
+
+mt_status mt_row_set_glyph_numbers(mt_row *row, const uint32_t *glyphs, int count) {
+    for (int i = 0; i < count; i++)
+        if (glyphs[i] >= (uint32_t)mt_font_glyph_count(row->fonts[0])) return MT_BAD_PARAMETER;
+    return replace_list(&row->wanted_glyphs, &row->wanted_glyph_count, glyphs, count);
 }
 
 mt_status mt_row_set_pairs(mt_row *row, const uint32_t *glyphs, int count) {
@@ -86,6 +104,8 @@ mt_charset_request mt_row_request(const mt_row *row) {
                                 .count = row->wanted_count,
                                 .set = row->set,
                                 .alternates = row->alternates,
+                                .glyphs = row->wanted_glyphs,
+                                .glyph_count = row->wanted_glyph_count,
                                 .pairs = &row->pairs};
 }
 
@@ -227,6 +247,10 @@ void mt_blend_set_alternates(mt_blend *blend, bool alternates) {
     blend->row.alternates = alternates;
 }
 
+mt_status mt_blend_set_glyph_numbers(mt_blend *blend, const uint32_t *glyphs, int count) {
+    return mt_row_set_glyph_numbers(&blend->row, glyphs, count);
+}
+
 void mt_blend_set_glyphs(mt_blend *blend, mt_glyph_set set) {
     blend->row.set = set;
 }
@@ -318,6 +342,10 @@ mt_status mt_variable_set_pairs(mt_variable *variable, const uint32_t *glyphs, i
 
 void mt_variable_set_alternates(mt_variable *variable, bool alternates) {
     variable->row.alternates = alternates;
+}
+
+mt_status mt_variable_set_glyph_numbers(mt_variable *variable, const uint32_t *glyphs, int count) {
+    return mt_row_set_glyph_numbers(&variable->row, glyphs, count);
 }
 
 void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set) {

@@ -25,9 +25,11 @@ typedef struct mt_row {
     mt_params params;
     char *family; /* NULL: made from the sources' */
     int style_count;
-    char **styles;    /* of the fonts that are made, in their order; the others' are made from their places */
-    int wanted_count; /* 0: all characters */
+    char **styles; /* of the fonts that are made, in their order; the others' are made from their places */
+    int wanted_count;
     uint32_t *wanted;
+    int wanted_glyph_count; /* of the first font's; neither characters nor glyphs: all */
+    uint32_t *wanted_glyphs;
     mt_glyph_set set;
     mt_given_pairs pairs; /* empty: none are given */
     bool alternates;      /* of wanted characters, also those that text has to ask for */
@@ -58,6 +60,7 @@ void mt_row_close(mt_row *row); /* all zero is fine */
 mt_status mt_row_set_hints(mt_row *row, const mt_hint_table *table, mt_hint_error *error);
 mt_status mt_row_set_pairs(mt_row *row, const uint32_t *glyphs, int count);
 mt_status mt_row_set_chars(mt_row *row, const uint32_t *code_points, int count);
+mt_status mt_row_set_glyph_numbers(mt_row *row, const uint32_t *glyphs, int count);
 
 /* What is asked of the row's glyphs. It refers to the row. */
 mt_charset_request mt_row_request(const mt_row *row);

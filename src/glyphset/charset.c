@@ -104,7 +104,7 @@ static mt_status read_char(const mt_lister *lister, const mt_code *code, mt_glyp
 }
 
 /* All characters that are shared; those that lead to no primary are listed as further tuples. */
-static mt_status list_chars(mt_lister *lister) {
+static mt_status list_chars(mt_lister *lister, const mt_charset_request *request) {
     const mt_codes *codes = &lister->pairs[0].codes;
     size_t room = (size_t)codes->count + 1;
     lister->leads = mt_arena_new(lister->arena, room, sizeof *lister->leads);
@@ -124,7 +124,7 @@ static mt_status list_chars(mt_lister *lister) {
         primary->mapped = true;
         primary->code_point = lead->code_point;
     }
-    return lister->char_count ? MT_OK : MT_NOTHING_SHARED;
+    return lister->char_count || request->glyph_count ? MT_OK : MT_NOTHING_SHARED;
 }
 
 /* Each further tuple once, in the order of the characters that lead there, as long as there is room. */
@@ -186,7 +186,7 @@ static mt_status take_glyphs(const mt_lister *lister, mt_row_glyphs *glyphs) {
 static mt_status map_chars(const mt_lister *lister, mt_charset *charset) {
     size_t count = (size_t)lister->further_count;
     mt_glyph_tuple *sorted = mt_arena_new(lister->arena, count + 1, sizeof *sorted);
-    charset->chars = mt_arena_new(lister->arena, (size_t)lister->char_count, sizeof *charset->chars);
+    charset->chars = mt_arena_new(lister->arena, (size_t)lister->char_count + 1, sizeof *charset->chars);
     if (!sorted || !charset->chars) return MT_NO_MEMORY;
     for (size_t i = 0; i < count; i++) sorted[i] = lister->further[i];
     if (count) qsort(sorted, count, sizeof *sorted, by_fonts);
@@ -250,7 +250,7 @@ mt_status mt_row_glyphs_make(mt_font *const *fonts, int count, const mt_charset_
     for (int i = 0; i + 1 < count && status == MT_OK; i++)
         status = make_pair(fonts, i + 1, request, arena, &lister.pairs[i]);
     if (status == MT_OK) status = list_primaries(&lister);
-    if (status == MT_OK) status = list_chars(&lister);
+    if (status == MT_OK) status = list_chars(&lister, request);
     if (status == MT_OK) status = number_glyphs(&lister);
     if (status == MT_OK) status = take_glyphs(&lister, &made);
     if (status == MT_OK) status = map_chars(&lister, &made.charset);

@@ -59,16 +59,43 @@ static void settle(mt_codes *codes) {
 
 /* ---- what is asked for --------------------------------------------------------------------------------- */
 
+static mt_status append(mt_codes *codes, int *room, mt_code code, mt_arena *arena) {
+    mt_code *list = mt_arena_grow_list(arena, codes->list, codes->count, room, sizeof *list);
+    if (!list) return MT_NO_MEMORY;
+    codes->list = list;
+    codes->list[codes->count++] = code;
+    return MT_OK;
+}
+
+/* Adds the characters that lead to wanted glyphs. */
+static mt_status add_characters_of_glyphs(const mt_code_source *source, mt_codes *codes, int *room,
+                                          mt_arena *arena) {
+    const mt_charset_request *request = source->request;
+    const mt_font *a = source->a;
+    bool *wanted = mt_arena_new(arena, (size_t)mt_font_glyph_count(a) + 1, sizeof *wanted);
+    if (!wanted) return MT_NO_MEMORY;
+    for (int i = 0; i < request->glyph_count; i++) wanted[request->glyphs[i]] = true;
+    uint32_t c = 0;
+    for (bool more = mt_font_next_char(a, 0, &c); more; more = mt_font_next_char(a, c + 1, &c)) {
+        mt_code code = look_up_mapped(source, c);
+        if (!wanted[code.a] || !is_in(source, code)) continue;
+        if (append(codes, room, code, arena) != MT_OK) return MT_NO_MEMORY;
+    }
+    return MT_OK;
+}
+
 static mt_status list_wanted(const mt_code_source *source, mt_arena *arena, mt_codes *codes) {
     const mt_charset_request *request = source->request;
-    codes->list = mt_arena_new(arena, (size_t)request->count, sizeof *codes->list);
+    int room = request->count;
+    codes->list = mt_arena_new(arena, (size_t)room + 1, sizeof *codes->list);
     if (!codes->list) return MT_NO_MEMORY;
     for (int i = 0; i < request->count; i++) {
         mt_code code = look_up(source, request->wanted[i]);
         if (is_in(source, code)) codes->list[codes->count++] = code;
     }
+    mt_status status = request->glyph_count ? add_characters_of_glyphs(source, codes, &room, arena) : MT_OK;
     settle(codes);
-    return MT_OK;
+    return status;
 }
 
 /* All of A's that the set takes in; counts them only where `list` is NULL. */
@@ -114,14 +141,6 @@ static bool take_apart(uint32_t code, uint32_t parts[2]) {
            first == HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK;
 }
 
-static mt_status append(mt_codes *codes, int *room, mt_code code, mt_arena *arena) {
-    mt_code *list = mt_arena_grow_list(arena, codes->list, codes->count, room, sizeof *list);
-    if (!list) return MT_NO_MEMORY;
-    codes->list = list;
-    codes->list[codes->count++] = code;
-    return MT_OK;
-}
-
 /* Adds the parts of each character, and theirs. */
 static mt_status add_parts(const mt_code_source *source, mt_codes *codes, mt_arena *arena) {
     const mt_codes known = *codes;
@@ -162,9 +181,9 @@ mt_status mt_codes_list(const mt_font *a, const mt_font *b, const mt_charset_req
     enum { ROUNDS = 3 }; /* what is put together of parts that are put together: Greek, Vietnamese, Hangul */
     mt_codes made = {0};
     const mt_code_source source = {a, b, request};
-    mt_status status = request->count ? list_wanted(&source, arena, &made) : list_all(&source, arena, &made);
-    for (int i = 0, before = -1; i < ROUNDS && request->count && status == MT_OK && made.count != before;
-         i++) {
+    bool limited = mt_request_is_limited(request);
+    mt_status status = limited ? list_wanted(&source, arena, &made) : list_all(&source, arena, &made);
+    for (int i = 0, before = -1; i < ROUNDS && limited && status == MT_OK && made.count != before; i++) {
         before = made.count;
         status = add_wholes(&source, &made, arena);
     }

@@ -64,20 +64,21 @@ static void pair_given(const mt_charset_request *request, const mt_codes *wanted
     }
 }
 
-/* Pairs by characters, by sequences, and by texts of the wanted characters. The rest of the characters comes behind the wanted
+/* Pairs by characters, by sequences, and by texts of the `spoken` characters. The rest of the characters comes behind the wanted
  * ones: a feature may lead to their glyphs. */
-static mt_status pair_by_text(mt_text_pairs *pairs, mt_codes *wanted, const mt_codes *all,
+static mt_status pair_by_text(mt_text_pairs *pairs, mt_codes *wanted, const mt_codes *all, mt_codes *spoken,
                               const mt_sequences *sequences, const mt_gsub *gsub_a, const mt_gsub *gsub_b,
                               mt_arena *arena, mt_glyph_match *match) {
-    uint32_t *chars = mt_arena_new(arena, (size_t)wanted->count + 1, sizeof *chars);
+    uint32_t *chars = mt_arena_new(arena, (size_t)spoken->count + 1, sizeof *chars);
     int count = 0;
     if (!chars) return MT_NO_MEMORY;
-    for (int i = 0; i < wanted->count; i++)
-        if (wanted->list[i].b && mt_font_glyph(match->b, wanted->list[i].code_point) == wanted->list[i].b)
-            chars[count++] = wanted->list[i].code_point;
+    for (int i = 0; i < spoken->count; i++)
+        if (spoken->list[i].b && mt_font_glyph(match->b, spoken->list[i].code_point) == spoken->list[i].b)
+            chars[count++] = spoken->list[i].code_point;
     mt_status status = mt_text_pairs_find(pairs, match, gsub_a, gsub_b, chars, count, arena);
-    if (status != MT_OK) return status;
-    status = mt_text_pairs_settle(pairs, match, wanted->list, wanted->count);
+    if (status == MT_OK) status = mt_text_pairs_settle(pairs, match, wanted->list, wanted->count);
+    if (status == MT_OK && spoken != wanted)
+        status = mt_text_pairs_settle(pairs, match, spoken->list, spoken->count);
     if (status != MT_OK) return status;
     pair_codes(wanted, match);
     pair_codes(all, match);
@@ -85,6 +86,7 @@ static mt_status pair_by_text(mt_text_pairs *pairs, mt_codes *wanted, const mt_c
     return mt_text_pairs_apply(pairs, match);
 }
 
+/* A glyph that is wanted by itself is paired as in a font of all characters: any text may lead to it. */
 static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_charset_request *request, mt_codes *wanted,
                              const mt_sequences *sequences, const mt_gsub *gsub_a,
                              const mt_math_table *math_a, mt_arena *arena, mt_glyph_match *match) {
@@ -99,7 +101,8 @@ static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_charset_request *r
     if (status == MT_OK) status = mt_gsub_open(b, arena, &gsub_b);
     if (status == MT_OK) status = mt_math_table_open(b, arena, &math_b);
     if (status == MT_OK)
-        status = pair_by_text(&pairs, wanted, &all, sequences, gsub_a, &gsub_b, arena, match);
+        status = pair_by_text(&pairs, wanted, &all, request->glyph_count ? &all : wanted, sequences, gsub_a,
+                              &gsub_b, arena, match);
     mt_text_pairs_close(&pairs);
     if (status == MT_OK) mt_match_math(match, math_a, &math_b);
     if (status == MT_OK) status = mt_match_names(match, a, b, arena);
@@ -127,7 +130,7 @@ static mt_status reach(const mt_gsub *gsub, const mt_math_table *math, bool aske
 static mt_status keep_forms(const mt_charset_request *request, const mt_gsub *gsub, const mt_math_table *math,
                             mt_arena *arena, mt_font_pair *pair) {
     bool fractions = mt_codes_find(&pair->codes, FRACTION_SLASH) != NULL;
-    bool asked_for = !request->count || request->alternates;
+    bool asked_for = !mt_request_is_limited(request) || request->alternates;
     mt_status status = reach(gsub, math, asked_for, fractions, pair->kept);
     if (status != MT_OK || asked_for) return status;
     return mt_match_left_out(gsub, pair->kept, fractions, arena, &pair->left);
@@ -141,7 +144,8 @@ static mt_status keep_glyphs(const mt_charset_request *request, const mt_gsub *g
     kept[0] = true;
     for (int i = 0; i < pair->codes.count; i++) kept[pair->codes.list[i].a] = true;
     for (int i = 0; i < pair->sequences.count; i++) kept[pair->sequences.list[i].a->glyph] = true;
-    bool limited = request->count || mt_font_is_without_layout(match->a);
+    bool limited = mt_request_is_limited(request) || mt_font_is_without_layout(match->a);
+    for (int i = 0; i < request->glyph_count; i++) kept[request->glyphs[i]] = true;
     for (int i = 0; i < match->count_a && !limited; i++)
         kept[i] |= request->set == MT_GLYPHS_FIRST || match->partner[i] != MT_NO_PARTNER;
     return keep_forms(request, gsub, math, arena, pair);
@@ -156,7 +160,7 @@ mt_status mt_font_pair_make(mt_font *a, mt_font *b, const mt_charset_request *re
     mt_math_table math;
     mt_status status = mt_codes_list(a, b, request, arena, &made.codes);
     if (status != MT_OK) return status;
-    if (made.codes.count == 0) return MT_NOTHING_SHARED;
+    if (made.codes.count == 0 && request->glyph_count == 0) return MT_NOTHING_SHARED;
     status = list_sequences(a, b, &made.codes, request->set, arena, &made.sequences);
     if (status == MT_OK) status = mt_gsub_open(a, arena, &gsub);
     if (status == MT_OK) status = mt_math_table_open(a, arena, &math);

@@ -25,7 +25,7 @@ typedef struct mt_font_pair {
 
 /* Pairs the glyphs of both fonts as a person has, then by characters, by variation sequences, by texts, by MATH, by names and by the
  * features that lead to them (match.h). Keeps the pairs and all that A's substitutions and MATH make of them; of limited characters
- * their glyphs, MATH's for these, and what A's substitutions make of them without being asked, or all with `alternates`.
+ * and glyphs these, MATH's for them, and what A's substitutions make of them without being asked, or all with `alternates`.
  * MT_NOTHING_SHARED, MT_ENDLESS_LOOKUPS, MT_NO_MEMORY. */
 mt_status mt_font_pair_make(mt_font *a, mt_font *b, const mt_charset_request *request, mt_arena *arena,
                             mt_font_pair *pair);

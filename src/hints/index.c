@@ -23,6 +23,7 @@ typedef struct mt_hint_fonts {
     mt_font *const *list;
     int step;
     const mt_given_pairs *pairs;
+    const mt_hint_glyphs *named; /* of the lines by name */
 } mt_hint_fonts;
 
 /* ---- the grid ------------------------------------------------------------------------------------------ */
@@ -47,16 +48,28 @@ static mt_status bad(int line, const char *reason, mt_hint_error *error) {
     return MT_BAD_HINTS;
 }
 
-/* Fills keys[] with the hints for characters that both fonts have. */
+/* Both fonts' glyphs for a line; false where they have not both. */
+static bool find_glyphs(const mt_hint_fonts *fonts, const mt_hint_table *table, int i, mt_hint_key *key) {
+    const mt_hint_line *line = &table->lines[i];
+    if (line->name) {
+        const mt_hint_glyphs *glyphs = &fonts->named[i - table->character_count];
+        key->a = glyphs->a;
+        key->b = glyphs->b;
+        return glyphs->paired;
+    }
+    key->a = mt_given_glyph(fonts->pairs, fonts->list, fonts->step, line->code_point);
+    key->b = mt_given_glyph(fonts->pairs, fonts->list, fonts->step + 1, line->code_point);
+    return key->a && key->b;
+}
+
+/* Fills keys[] with the hints for glyphs that both fonts have. */
 static mt_status gather(const mt_hint_fonts *fonts, const mt_hint_table *table, mt_hint_index *index,
                         mt_hint_error *error) {
     const mt_font *a = fonts->list[fonts->step], *b = fonts->list[fonts->step + 1];
     for (int i = 0; i < table->count; i++) {
         const mt_hint_line *line = &table->lines[i];
         mt_hint_key key = {.line = line->line, .hint.kind = line->kind};
-        key.a = mt_given_glyph(fonts->pairs, fonts->list, fonts->step, line->code_point);
-        key.b = mt_given_glyph(fonts->pairs, fonts->list, fonts->step + 1, line->code_point);
-        if (key.a == 0 || key.b == 0) continue;
+        if (!find_glyphs(fonts, table, i, &key)) continue;
         if (!scale(line->a, a, &key.hint.a)) return bad(line->line, "over 32 em in the first font", error);
         if (!scale(line->b, b, &key.hint.b)) return bad(line->line, "over 32 em in the second font", error);
         index->keys[index->count++] = key;
@@ -89,9 +102,10 @@ static mt_status fill(const mt_hint_fonts *fonts, const mt_hint_table *table, mt
     return MT_OK;
 }
 
-mt_status mt_hint_index_new(const mt_hint_table *table, mt_font *const *fonts, int step,
-                            const mt_given_pairs *pairs, mt_hint_index **index, mt_hint_error *error) {
-    const mt_hint_fonts between = {fonts, step, pairs};
+mt_status mt_hint_index_new(const mt_hint_table *table, const mt_hint_glyphs *named, mt_font *const *fonts,
+                            int step, const mt_given_pairs *pairs, mt_hint_index **index,
+                            mt_hint_error *error) {
+    const mt_hint_fonts between = {fonts, step, pairs, named};
     size_t count = (size_t)table->count;
     mt_hint_index *made = mt_new(1, sizeof *made);
     if (made) made->keys = mt_new(count, sizeof *made->keys);

@@ -14,7 +14,9 @@ enum { WORDS = 3 }; /* that a line has at most */
 typedef struct mt_hint_reader {
     mt_hint_table *table;
     bool has_glyph;
-    uint32_t code_point; /* of the glyph that the hints are for */
+    uint32_t code_point; /* of the glyph that the hints are for; or … */
+    const char *name;    /* … its name, and … */
+    int name_line;       /* … where it stands */
     int line;
     const char *reason; /* what is wrong with the line, on MT_BAD_HINTS */
 } mt_hint_reader;
@@ -93,14 +95,21 @@ static mt_status add(mt_hint_table *table, mt_hint_line line) {
 }
 
 static mt_status read_glyph(mt_hint_reader *reader, const char *const *words, int count) {
-    if (count != 2 || !read_character(words[1], &reader->code_point))
-        return bad(reader, "after glyph one character is wanted, itself or as U+0061");
+    bool named = count == 2 && words[1][0] == '/' && words[1][1];
+    if (count != 2 || (!named && !read_character(words[1], &reader->code_point)))
+        return bad(reader, "after glyph one character is wanted, itself or as U+0061, or a name as /a.sc");
     reader->has_glyph = true;
+    reader->name = named ? words[1] + 1 : NULL;
+    reader->name_line = reader->line;
     return MT_OK;
 }
 
 static mt_status read_hint(mt_hint_reader *reader, mt_hint_kind kind, const char *const *words, int count) {
-    mt_hint_line hint = {.code_point = reader->code_point, .line = reader->line, .kind = kind};
+    mt_hint_line hint = {.code_point = reader->name ? 0 : reader->code_point,
+                         .name = reader->name,
+                         .name_line = reader->name_line,
+                         .line = reader->line,
+                         .kind = kind};
     if (!reader->has_glyph) return bad(reader, "a hint before the first glyph");
     if (count != 3) return bad(reader, "a hint has two places, written 120,300 140,310");
     if (!read_place(words[1], &hint.a) || !read_place(words[2], &hint.b))
@@ -139,14 +148,19 @@ static mt_status read_lines(mt_hint_reader *reader, char *text, const char *end)
 
 static int by_character(const void *a, const void *b) {
     const mt_hint_line *x = a, *y = b;
+    if (!x->name != !y->name) return x->name ? 1 : -1;
     if (x->code_point != y->code_point) return x->code_point < y->code_point ? -1 : 1;
     return (x->line > y->line) - (x->line < y->line);
 }
 
-/* Reads `text`, which ends with a NUL at `length`, and cuts it up. */
+/* Reads `text`, which ends with a NUL at `length`, and takes it over, whatever comes. */
 static mt_status read_table(char *text, size_t length, mt_hint_table **table, mt_hint_error *error) {
     mt_hint_reader reader = {.table = mt_new(1, sizeof(mt_hint_table))};
-    if (!reader.table) return MT_NO_MEMORY;
+    if (!reader.table) {
+        mt_free(text);
+        return MT_NO_MEMORY;
+    }
+    reader.table->text = text;
     mt_status status = read_lines(&reader, text, text + length);
     if (status != MT_OK) {
         mt_hint_table_free(reader.table);
@@ -155,6 +169,8 @@ static mt_status read_table(char *text, size_t length, mt_hint_table **table, mt
     }
     if (reader.table->count > 0)
         qsort(reader.table->lines, (size_t)reader.table->count, sizeof *reader.table->lines, by_character);
+    for (int i = 0; i < reader.table->count; i++)
+        reader.table->character_count += !reader.table->lines[i].name;
     *table = reader.table;
     return MT_OK;
 }
@@ -164,9 +180,7 @@ mt_status mt_hint_table_read(const char *text, size_t length, mt_hint_table **ta
     char *copy = mt_new(length + 1, 1);
     if (!copy) return MT_NO_MEMORY;
     if (length > 0) memcpy(copy, text, length);
-    mt_status status = read_table(copy, length, table, error);
-    mt_free(copy);
-    return status;
+    return read_table(copy, length, table, error);
 }
 
 mt_status mt_hint_table_open(const char *path, mt_hint_table **table, mt_hint_error *error) {
@@ -182,11 +196,12 @@ mt_status mt_hint_table_open(const char *path, mt_hint_table **table, mt_hint_er
 void mt_hint_table_free(mt_hint_table *table) {
     if (!table) return;
     mt_free(table->lines);
+    mt_free(table->text);
     mt_free(table);
 }
 
 bool mt_hint_table_next_char(const mt_hint_table *table, uint32_t from, uint32_t *code_point) {
-    int low = 0, high = table->count;
+    int low = 0, high = table->character_count;
     while (low < high) {
         int middle = low + (high - low) / 2;
         if (table->lines[middle].code_point < from)
@@ -194,7 +209,7 @@ bool mt_hint_table_next_char(const mt_hint_table *table, uint32_t from, uint32_t
         else
             high = middle;
     }
-    if (low == table->count) return false;
+    if (low == table->character_count) return false;
     *code_point = table->lines[low].code_point;
     return true;
 }

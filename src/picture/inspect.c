@@ -193,8 +193,7 @@ static void draw_caption(cairo_t *cairo, const mt_side *side, double x, double y
     int components = side->shape.count, pieces = side->pieces.count;
     snprintf(text, sizeof text, "%d component%s, %d piece%s", components, plural(components), pieces,
              plural(pieces));
-    double width = mt_label_width(text, height);
-    mt_label_draw_centred(cairo, text, x, y, width > room ? height * room / width : height);
+    mt_label_draw_centred(cairo, text, x, y, mt_label_fitting(text, height, room));
 }
 
 /* "2 contours, 13 links, turned by -7.5" */
@@ -206,12 +205,12 @@ static void describe_morph(const mt_morph *morph, char *text, size_t room) {
 }
 
 static void draw_captions(cairo_t *cairo, const mt_view *view, double size, double top) {
-    char text[80];
+    char text[80], label[MT_CHOICE_LABEL_ROOM];
     const mt_morph *morph = &view->pair.morph;
     double height = mt_label_height(size), left = MARGIN * size, bottom = top + PANEL * size + 2 * height;
-    snprintf(text, sizeof text, "U+%04lX", (unsigned long)view->code_point);
+    mt_choice_label(view->choice, label);
     cairo_set_source_rgb(cairo, 0, 0, 0);
-    mt_label_draw(cairo, text, left, top, height);
+    mt_label_draw(cairo, label, left, top, mt_label_fitting(label, height, 0.75 * PANEL * size));
     draw_caption(cairo, &morph->a, left + PANEL * size / 2, bottom, height, PANEL * size);
     if (!view->paired) return;
     draw_caption(cairo, &morph->b, left + (PANEL * 1.5 + GAP) * size, bottom, height, PANEL * size);
@@ -244,37 +243,35 @@ static double row_height(double size) {
     return PANEL * size + CAPTION * mt_label_height(size) + GAP * size;
 }
 
+typedef struct picture {
+    cairo_t *cairo;
+    const mt_inspection *what;
+} picture;
+
 static mt_status open_canvas(const mt_inspection *what, bool paired, mt_format format, mt_canvas *canvas) {
     double width = (2 * MARGIN + (paired ? 2 * PANEL + GAP : PANEL)) * what->size;
     double height = (2 * MARGIN - GAP) * what->size + what->count * row_height(what->size);
     return mt_canvas_open(format, width, height, canvas);
 }
 
-static mt_status draw_views(cairo_t *cairo, mt_row *row, const mt_inspection *what, uint32_t *failed) {
-    mt_arena arena = {0};
-    mt_status status = MT_OK;
-    for (int i = 0; status == MT_OK && i < what->count; i++) {
-        mt_view view;
-        mt_arena_reset(&arena);
-        status = mt_view_prepare(row, what->code_points[i], &arena, &view);
-        if (status != MT_OK && failed) *failed = what->code_points[i];
-        double top = MARGIN * what->size + i * row_height(what->size);
-        if (status == MT_OK) status = draw_view(cairo, &view, what->size, top, &arena);
-    }
-    mt_arena_release(&arena);
-    return status;
+/* An mt_view_taken. */
+static mt_status take_view(const mt_view *view, int index, mt_arena *arena, void *user) {
+    const picture *drawing = user;
+    double size = drawing->what->size;
+    return draw_view(drawing->cairo, view, size, MARGIN * size + index * row_height(size), arena);
 }
 
-mt_status mt_inspect_save(mt_row *row, const mt_inspection *what, const char *path, uint32_t *failed) {
+mt_status mt_inspect_save(mt_row *row, const mt_inspection *what, const char *path, int *failed) {
     mt_format format;
     mt_canvas canvas;
-    if (failed) *failed = 0;
+    *failed = -1;
     mt_status status = mt_format_of(path, &format);
     if (status != MT_OK) return status;
     if (what->count < 1 || !(what->size >= MT_SIZE_MIN && what->size <= MT_SIZE_MAX)) return MT_BAD_PARAMETER;
     status = open_canvas(what, row->font_count > 1, format, &canvas);
     if (status != MT_OK) return status;
-    status = draw_views(canvas.cairo, row, what, failed);
+    picture drawing = {canvas.cairo, what};
+    status = mt_views_make(row, what, take_view, &drawing, failed);
     if (status == MT_OK) status = mt_canvas_save(&canvas, path);
     mt_canvas_close(&canvas);
     return status;

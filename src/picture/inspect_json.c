@@ -8,9 +8,10 @@
  *       "glyphs": [                                             in the order of the text
  *         {
  *           "character": "形",
- *           "code_point": 24418,
+ *           "code_point": 24418,                                or, of a glyph by its name, in place of these two:
+ *           "glyph": "/f_i",
  *           "a": SIDE,
- *           "b": SIDE,                                          this and all below: only with two fonts
+ *           "b": SIDE,                                          this and all below: only with two glyphs
  *           "rotation": 0,                                      degrees by which B is turned, formula (5)'s q
  *           "matches": [[i, k], …],                             component i of A goes with component k of B
  *           "contours": [CONTOUR, …],                           of matched components that are aligned whole
@@ -144,14 +145,23 @@ static void add_contours(mt_json *json, const mt_morph *morph, const mt_turn *no
     mt_json_array_end(json);
 }
 
+static void add_name(mt_json *json, const mt_choice *choice) {
+    char character[5] = "", label[MT_CHOICE_LABEL_ROOM];
+    mt_choice_label(choice, label);
+    if (choice->name) {
+        mt_json_text(json, "glyph", label);
+        return;
+    }
+    mt_utf8_put(choice->code_point, character);
+    mt_json_text(json, "character", character);
+    mt_json_int(json, "code_point", choice->code_point);
+}
+
 static void add_view(mt_json *json, const mt_view *view) {
     const mt_morph *morph = &view->pair.morph;
     mt_turn none = {.cosine = 1}, turn = mt_turn_back(&view->pair);
-    char character[5] = "";
-    mt_utf8_put(view->code_point, character);
     mt_json_object(json, NULL);
-    mt_json_text(json, "character", character);
-    mt_json_int(json, "code_point", view->code_point);
+    add_name(json, view->choice);
     add_side(json, "a", &morph->a, view->pair.room_a.advance, &none);
     if (view->paired) {
         add_side(json, "b", &morph->b, view->pair.room_b.advance, &turn);
@@ -170,31 +180,24 @@ static void add_heading(mt_json *json, const mt_row *row) {
     if (row->font_count > 1) add_font(json, "b", row->fonts[1]);
 }
 
-static mt_status add_glyphs(mt_json *json, mt_row *row, const mt_inspection *what, uint32_t *failed) {
-    mt_arena arena = {0};
-    mt_status status = MT_OK;
-    mt_json_array(json, "glyphs");
-    for (int i = 0; status == MT_OK && i < what->count; i++) {
-        mt_view view;
-        mt_arena_reset(&arena);
-        status = mt_view_prepare(row, what->code_points[i], &arena, &view);
-        if (status == MT_OK)
-            add_view(json, &view);
-        else if (failed)
-            *failed = what->code_points[i];
-    }
-    mt_json_array_end(json);
-    mt_arena_release(&arena);
-    return status == MT_OK ? json->status : status;
+/* An mt_view_taken. */
+static mt_status take_view(const mt_view *view, int index, mt_arena *arena, void *user) {
+    mt_json *json = user;
+    (void)index;
+    (void)arena;
+    add_view(json, view);
+    return json->status;
 }
 
 mt_status mt_inspect_json(mt_row *row, const mt_inspection *what, uint8_t **bytes, size_t *length,
-                          uint32_t *failed) {
+                          int *failed) {
     mt_json json = {0};
-    if (failed) *failed = 0;
+    *failed = -1;
     mt_json_object(&json, NULL);
     add_heading(&json, row);
-    mt_status status = add_glyphs(&json, row, what, failed);
+    mt_json_array(&json, "glyphs");
+    mt_status status = mt_views_make(row, what, take_view, &json, failed);
+    mt_json_array_end(&json);
     mt_json_object_end(&json);
     if (status == MT_OK) status = json.status;
     if (status == MT_OK) {

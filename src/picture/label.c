@@ -166,6 +166,11 @@ double mt_label_width(const char *text, double height) {
     return width == 0 ? 0 : (width - SPACING) * height / CAP_HEIGHT;
 }
 
+double mt_label_fitting(const char *text, double height, double room) {
+    double width = mt_label_width(text, height);
+    return width > room ? height * room / width : height;
+}
+
 void mt_label_t(double t, char *text, size_t room) {
     int decimals = 4, one = 10000, value = (int)(t * one + 0.5);
     for (; decimals > 0 && value % 10 == 0; decimals--, one /= 10) value /= 10;

@@ -10,6 +10,8 @@
 void mt_label_draw(cairo_t *cairo, const char *text, double x, double y, double height);
 void mt_label_draw_centred(cairo_t *cairo, const char *text, double x, double y, double height);
 double mt_label_width(const char *text, double height);
+/* The height, at most `height`, at which a label is no wider than `room`. */
+double mt_label_fitting(const char *text, double height, double room);
 
 /* "T = 0.25": at most four decimals, without the zeros at the end. */
 void mt_label_t(double t, char *text, size_t room);

@@ -3,20 +3,21 @@
  * that of its extension: .png, .svg or .pdf. */
 #pragma once
 
-#include "blend/row.h"
+#include "blend/choice.h"
 
 /* What a picture may be asked for; beyond it is MT_BAD_PARAMETER. */
 #define MT_STEPS_MAX 1000
 #define MT_SIZE_MIN 4.0 /* picture units an em, or a cell */
 #define MT_SIZE_MAX 8192.0
-#define MT_TEXT_MAX (1 << 20) /* bytes */
+#define MT_TEXT_MAX (1 << 20) /* characters */
 
 /* Called once all fonts are made and before anything is drawn, unless it is NULL; what it returns other than
  * MT_OK ends the call, which then returns that. */
 typedef mt_status (*mt_fonts_made)(void *user);
 
 typedef struct mt_strip {
-    const char *text; /* UTF-8; '\n' starts a new line */
+    const mt_choice *text; /* of `length`; the character '\n' starts a new line */
+    int length;
     const double *at; /* T of each step, as many as step_count */
     int step_count;
     double size; /* pixels (or points, in SVG and PDF) an em */
@@ -25,14 +26,14 @@ typedef struct mt_strip {
     void *user;
 } mt_strip;
 
-/* One row a line of text, one column a step; a text wider than three em gives one row a step instead. Sets
- * the blend's characters to those of the text. MT_NO_GLYPH when one of them is in one font only,
+/* One row a line of text, one column a step; a text wider than three em gives one row a step instead. A named glyph is set at its
+ * place as it is, whatever stands beside it. Sets the blend's characters and glyphs to those of the text. MT_NO_GLYPH when one of them is in one font only,
  * MT_UNKNOWN_FORMAT, MT_TOO_LARGE for a picture over the sides that canvas.h gives, MT_CANNOT_WRITE, and what
  * mt_blend_font gives. */
 mt_status mt_strip_save(mt_blend *blend, const mt_strip *strip, const char *path);
 
 typedef struct mt_sheet {
-    const uint32_t *code_points; /* one row each */
+    const mt_choice *choices; /* one row each */
     int count;
     const double *at; /* T of each column */
     int step_count;
@@ -43,21 +44,21 @@ typedef struct mt_sheet {
     void *user;
 } mt_sheet;
 
-/* A grid of characters × steps, with code points, a heading and page numbers. PDF takes all pages; of PNG and
- * SVG each page is a file of its own, NAME-2.png and so on after the first. Sets the blend's characters to
- * those of the sheet; errors as for the strip. */
+/* A grid of characters or glyphs × steps, with code points or names, a heading and page numbers. PDF takes all pages; of PNG and
+ * SVG each page is a file of its own, NAME-2.png and so on after the first. Sets the blend's characters and
+ * glyphs to those of the sheet; errors as for the strip. */
 mt_status mt_sheet_save(mt_blend *blend, const mt_sheet *sheet, const char *path);
 
 typedef struct mt_inspection {
-    const uint32_t *code_points;
+    const mt_choice *choices;
     int count;
     double size; /* pixels or points an em */
 } mt_inspection;
 
-/* Per character: both sides, components by colour, pieces outlined, links drawn between the pieces' centres. Of a row of one
- * font only its components and pieces. Where a character's morph cannot be made, `failed` (unless NULL) says at which; it
- * is 0 for other errors. */
-mt_status mt_inspect_save(mt_row *row, const mt_inspection *what, const char *path, uint32_t *failed);
+/* Per character or glyph: both sides, components by colour, pieces outlined, links drawn between the pieces' centres. Of a row of one
+ * font, and of a glyph without a partner, only components and pieces. Where a morph cannot be made, *failed says at which choice;
+ * it is -1 for other errors. */
+mt_status mt_inspect_save(mt_row *row, const mt_inspection *what, const char *path, int *failed);
 /* The same as data, schema in docs/guide.md; bytes for mt_bytes_free. */
 mt_status mt_inspect_json(mt_row *row, const mt_inspection *what, uint8_t **bytes, size_t *length,
-                          uint32_t *failed);
+                          int *failed);

@@ -1,4 +1,4 @@
-/* The sheet: a grid of characters × steps over as many pages as it takes.
+/* The sheet: a grid of characters, or glyphs, × steps over as many pages as it takes.
  *
  *     T = 0: Sans Bold                 1 / 3
  *     T = 1: Serif Book
@@ -25,6 +25,7 @@
 /* Shares of a label's height. */
 #define LINE 1.8
 #define GUTTER 1.5 /* between the code points and the cells */
+#define HEADING_MOST 16.0
 
 #define A4_PROPORTION 1.4142135623730951
 
@@ -41,18 +42,15 @@ typedef struct sheet_page {
 
 /* ---- the layout ---------------------------------------------------------------------------------------- */
 
-static void code_point_label(uint32_t code_point, char *text, size_t room) {
-    snprintf(text, room, "U+%04lX", (unsigned long)code_point);
-}
-
+/* Names longer than HEADING_MOST are drawn smaller. */
 static double widest_heading(const mt_sheet *sheet, double height) {
-    char text[16];
+    char text[MT_CHOICE_LABEL_ROOM];
     double width = 0;
     for (int i = 0; i < sheet->count; i++) {
-        code_point_label(sheet->code_points[i], text, sizeof text);
+        mt_choice_label(&sheet->choices[i], text);
         width = fmax(width, mt_label_width(text, height));
     }
-    return width;
+    return fmin(width, HEADING_MOST * height);
 }
 
 static int rows_of_a_page(const sheet_page *page) {
@@ -76,18 +74,13 @@ static void lay_out(sheet_page *page) {
 
 /* ---- the drawing --------------------------------------------------------------------------------------- */
 
-/* A label that shrinks until it is no wider than `room`. */
-static double fitting_height(const char *text, double height, double room) {
-    double width = mt_label_width(text, height);
-    return width > room ? height * room / width : height;
-}
-
 static void draw_title(const sheet_page *page, cairo_t *cairo, int t, const char *name, double right,
                        double y) {
     double left = MARGIN * page->sheet->size, height = page->label_height,
            label = mt_label_width("T = 0: ", height) + height / 2;
     mt_label_draw(cairo, t == 0 ? "T = 0:" : "T = 1:", left, y, height);
-    if (name) mt_label_draw(cairo, name, left + label, y, fitting_height(name, height, right - left - label));
+    if (name)
+        mt_label_draw(cairo, name, left + label, y, mt_label_fitting(name, height, right - left - label));
 }
 
 static void draw_header(const sheet_page *page, cairo_t *cairo, int number) {
@@ -104,7 +97,7 @@ static void draw_header(const sheet_page *page, cairo_t *cairo, int number) {
         mt_label_t(sheet->at[i], text, sizeof text);
         double x = margin + page->heading + (i + 0.5) * sheet->size;
         mt_label_draw_centred(cairo, text, x, margin + page->header - 0.5 * line,
-                              fitting_height(text, height, sheet->size * 0.9));
+                              mt_label_fitting(text, height, sheet->size * 0.9));
     }
 }
 
@@ -127,11 +120,11 @@ static void draw_grid(const sheet_page *page, cairo_t *cairo, int rows) {
 }
 
 /* The box, about the origin, of a character's ink and advances at all steps, em. */
-static mt_extents row_extents(const sheet_page *page, uint32_t code_point) {
+static mt_extents row_extents(const sheet_page *page, int index) {
     mt_extents row = {0};
     for (int i = 0; i < page->sheet->step_count; i++) {
         uint32_t glyph;
-        if (!mt_typeset_glyph(&page->instances[i], code_point, &glyph)) continue;
+        if (!mt_typeset_glyph(&page->instances[i], &page->sheet->choices[index], &glyph)) continue;
         mt_extents one = mt_glyph_extents(&page->instances[i], glyph);
         row.left = fmin(row.left, one.left);
         row.right = fmax(row.right, fmax(one.right, one.advance));
@@ -154,17 +147,19 @@ static double row_baseline(const mt_typeset *instance, double size, double em, m
     return fmin(baseline, (1 - INSET) * size + row.bottom * em);
 }
 
-static void draw_row(const sheet_page *page, cairo_t *cairo, uint32_t code_point, double top) {
-    char text[16];
-    double size = page->sheet->size, left = MARGIN * size;
-    mt_extents row = row_extents(page, code_point);
+static void draw_row(const sheet_page *page, cairo_t *cairo, int index, double top) {
+    char text[MT_CHOICE_LABEL_ROOM];
+    const mt_choice *choice = &page->sheet->choices[index];
+    double size = page->sheet->size, left = MARGIN * size, height = page->label_height;
+    mt_extents row = row_extents(page, index);
     double em = row_em(size, row), baseline = top + row_baseline(page->instances, size, em, row);
-    code_point_label(code_point, text, sizeof text);
-    mt_label_draw(cairo, text, left, top + (size + page->label_height) / 2, page->label_height);
+    mt_choice_label(choice, text);
+    mt_label_draw(cairo, text, left, top + (size + height) / 2,
+                  mt_label_fitting(text, height, HEADING_MOST * height));
     left += page->heading;
     for (int i = 0; i < page->sheet->step_count; i++, left += size) {
         uint32_t glyph;
-        if (!mt_typeset_glyph(&page->instances[i], code_point, &glyph)) continue;
+        if (!mt_typeset_glyph(&page->instances[i], choice, &glyph)) continue;
         mt_extents one = mt_glyph_extents(&page->instances[i], glyph);
         double middle = (fmin(0, one.left) + fmax(one.right, one.advance)) / 2;
         mt_glyph_draw(&page->instances[i], glyph, cairo, left + size / 2 - middle * em, baseline, em);
@@ -179,7 +174,7 @@ static void draw_page(const sheet_page *page, cairo_t *cairo, int number) {
     draw_grid(page, cairo, rows);
     for (int i = 0; i < rows; i++) {
         double top = MARGIN * sheet->size + page->header + i * sheet->size;
-        draw_row(page, cairo, sheet->code_points[first + i], top);
+        draw_row(page, cairo, first + i, top);
     }
 }
 
@@ -265,8 +260,8 @@ mt_status mt_sheet_save(mt_blend *blend, const mt_sheet *sheet, const char *path
     if (status != MT_OK) return status;
     if (!in_range(sheet)) return MT_BAD_PARAMETER;
     sheet_page page = {.sheet = sheet};
-    status = mt_typesets_new(blend, sheet->code_points, sheet->count, sheet->at, sheet->step_count,
-                             sheet->made, sheet->user, &page.instances);
+    status = mt_typesets_new(blend, sheet->choices, sheet->count, sheet->at, sheet->step_count, sheet->made,
+                             sheet->user, &page.instances);
     if (status == MT_OK) {
         lay_out(&page);
         status = format == MT_FORMAT_PDF ? save_pages_in_one(&page, format, path)

@@ -13,8 +13,6 @@
 #include "picture/picture.h"
 #include "picture/typeset.h"
 
-#include <string.h>
-
 /* A text with a line wider than this many em is long. */
 #define SHORT_LINE 3.0
 /* Distances, em. */
@@ -36,49 +34,41 @@ typedef struct strip_page {
 
 /* ---- the text ------------------------------------------------------------------------------------------ */
 
-static int count_lines(const char *text) {
+static bool ends_line(const mt_choice *choice) {
+    return !choice->name && choice->code_point == '\n';
+}
+
+static int count_lines(const mt_strip *strip) {
     int lines = 1;
-    for (; *text; text++)
-        if (*text == '\n' && text[1]) lines++;
+    for (int i = 0; i + 1 < strip->length; i++) lines += ends_line(&strip->text[i]);
     return lines;
 }
 
-/* The code points of a text, each as often as it occurs, without line ends; from mt_new. */
-static mt_status code_points_of(const char *text, uint32_t **code_points, int *count) {
-    hb_buffer_t *decoded = hb_buffer_create();
-    hb_buffer_add_utf8(decoded, text, -1, 0, -1);
-    unsigned length;
-    const hb_glyph_info_t *info = hb_buffer_get_glyph_infos(decoded, &length);
-    *count = 0;
-    *code_points = hb_buffer_allocation_successful(decoded) ? mt_new(length + 1, sizeof **code_points) : NULL;
-    for (unsigned i = 0; *code_points && i < length; i++)
-        if (info[i].codepoint != '\n') (*code_points)[(*count)++] = info[i].codepoint;
-    hb_buffer_destroy(decoded);
-    return *code_points ? MT_OK : MT_NO_MEMORY;
-}
-
-/* Makes the fonts, of the text's characters alone. */
+/* Makes the fonts, of the text's characters and glyphs alone. */
 static mt_status make_instances(mt_blend *blend, const mt_strip *strip, mt_typeset **instances) {
-    uint32_t *code_points;
-    int count;
-    mt_status status = code_points_of(strip->text, &code_points, &count);
-    if (status == MT_OK && count == 0) status = MT_BAD_PARAMETER;
-    if (status == MT_OK)
-        status = mt_typesets_new(blend, code_points, count, strip->at, strip->step_count, strip->made,
-                                 strip->user, instances);
-    mt_free(code_points);
+    mt_choice *choices = mt_new((size_t)strip->length + 1, sizeof *choices);
+    int count = 0;
+    if (!choices) return MT_NO_MEMORY;
+    for (int i = 0; i < strip->length; i++)
+        if (!ends_line(&strip->text[i])) choices[count++] = strip->text[i];
+    mt_status status = count ? mt_typesets_new(blend, choices, count, strip->at, strip->step_count,
+                                               strip->made, strip->user, instances)
+                             : MT_BAD_PARAMETER;
+    mt_free(choices);
     return status;
 }
 
 static mt_status shape_step(strip_page *page, int step) {
-    const char *text = page->strip->text;
+    const mt_choice *text = page->strip->text, *end = text + page->strip->length;
     for (int i = 0; i < page->line_count; i++) {
-        size_t length = strcspn(text, "\n");
+        int length = 0;
+        while (text + length < end && !ends_line(&text[length])) length++;
         if (length > MT_PICTURE_SIDE_MAX) return MT_TOO_LARGE;
-        mt_status status = mt_line_shape(&page->instances[step], text, (int)length,
-                                         &page->lines[step * page->line_count + i]);
+        mt_status status =
+            mt_line_shape(&page->instances[step], text, length, &page->lines[step * page->line_count + i]);
         if (status != MT_OK) return status;
-        text += length + 1;
+        text += length;
+        if (text < end) text++;
     }
     return MT_OK;
 }
@@ -193,7 +183,7 @@ static void free_lines(strip_page *page) {
 
 static bool in_range(const mt_strip *strip) {
     return strip->step_count >= 1 && strip->step_count <= MT_STEPS_MAX && strip->size >= MT_SIZE_MIN &&
-           strip->size <= MT_SIZE_MAX && strlen(strip->text) <= MT_TEXT_MAX;
+           strip->size <= MT_SIZE_MAX && strip->length <= MT_TEXT_MAX;
 }
 
 mt_status mt_strip_save(mt_blend *blend, const mt_strip *strip, const char *path) {
@@ -201,7 +191,7 @@ mt_status mt_strip_save(mt_blend *blend, const mt_strip *strip, const char *path
     mt_status status = mt_format_of(path, &format);
     if (status != MT_OK) return status;
     if (!in_range(strip)) return MT_BAD_PARAMETER;
-    strip_page page = {.strip = strip, .line_count = count_lines(strip->text)};
+    strip_page page = {.strip = strip, .line_count = count_lines(strip)};
     page.lines = mt_new((size_t)strip->step_count * (size_t)page.line_count, sizeof *page.lines);
     status = page.lines ? make_instances(blend, strip, &page.instances) : MT_NO_MEMORY;
     if (status == MT_OK) status = draw_page(&page, format, path);

@@ -2,6 +2,8 @@
 #include "picture/typeset.h"
 
 #include "base/memory.h"
+#include "blend/instances.h"
+#include "write/write.h"
 
 /* ---- glyphs as Cairo paths ----------------------------------------------------------------------------- */
 
@@ -90,54 +92,68 @@ static void close_instance(mt_typeset *instance) {
     mt_bytes_free(instance->bytes);
 }
 
-/* Takes over the fonts' bytes, also when it fails. */
-static mt_status open_fonts(uint8_t **bytes, const size_t *lengths, int count, mt_typeset *instances) {
-    mt_status status = MT_OK;
-    for (int i = 0; i < count; i++) instances[i] = (mt_typeset){.bytes = bytes[i]};
-    for (int i = 0; i < count && status == MT_OK; i++) status = open_bytes(&instances[i], lengths[i]);
-    for (int i = 0; i < count && status == MT_OK; i++) read_extents(&instances[i]);
-    return status;
-}
-
-mt_status mt_typesets_new(mt_blend *blend, const uint32_t *code_points, int char_count, const double *at,
-                          int count, mt_fonts_made made, void *user, mt_typeset **instances) {
-    mt_typeset *list = mt_new((size_t)count, sizeof *list);
-    uint8_t **bytes = mt_new((size_t)count, sizeof *bytes);
-    size_t *lengths = mt_new((size_t)count, sizeof *lengths);
-    uint32_t glyph;
-    mt_status status = list && bytes && lengths ? MT_OK : MT_NO_MEMORY;
-    if (status == MT_OK) status = mt_blend_set_chars(blend, code_points, char_count);
-    if (status == MT_OK) status = mt_blend_fonts(blend, at, count, bytes, lengths);
-    if (status == MT_OK) status = open_fonts(bytes, lengths, count, list);
-    mt_free(bytes);
-    mt_free(lengths);
-    for (int i = 0; i < char_count && status == MT_OK; i++)
-        if (!mt_typeset_glyph(list, code_points[i], &glyph)) status = MT_NO_GLYPH;
-    if (status == MT_OK && made) status = made(user);
-    if (status == MT_OK)
-        *instances = list;
-    else
-        mt_typesets_free(list, count);
-    return status;
-}
-
 void mt_typesets_free(mt_typeset *instances, int count) {
+    if (instances) mt_free(instances->firsts);
     for (int i = 0; instances && i < count; i++) close_instance(&instances[i]);
     mt_free(instances);
 }
 
-bool mt_typeset_glyph(const mt_typeset *instance, uint32_t code_point, uint32_t *glyph) {
-    return hb_font_get_nominal_glyph(instance->font, code_point, glyph);
+/* Instances in the making. */
+typedef struct maker {
+    const mt_blend *blend;
+    mt_typeset *list;
+    int count;
+} maker;
+
+/* The same for all instances. Of several glyphs that come from one, the first is its own (charset.h). */
+static mt_status list_firsts(const maker *making, const mt_font_data *data) {
+    size_t room = (size_t)mt_font_glyph_count(making->blend->row.fonts[0]) + 1;
+    mt_first_glyph *firsts = mt_new(room, sizeof *firsts);
+    if (!firsts) return MT_NO_MEMORY;
+    for (int i = 0; i < data->glyph_count; i++) {
+        mt_first_glyph *first = &firsts[data->origins[i].glyph];
+        if (!first->kept) *first = (mt_first_glyph){true, (uint32_t)i, data->origins[i].code_point};
+    }
+    making->list[0].firsts = firsts;
+    return MT_OK;
 }
 
+/* An mt_font_ready. */
+static mt_status keep(const mt_font_data *data, int index, void *user) {
+    const maker *making = user;
+    mt_typeset *instance = &making->list[index];
+    size_t length;
+    mt_status status = index == 0 ? list_firsts(making, data) : MT_OK;
+    if (status == MT_OK) status = mt_font_write(data, &instance->bytes, &length);
+    if (status != MT_OK) return status;
+    instance->firsts = making->list[0].firsts;
+    status = open_bytes(instance, length);
+    if (status == MT_OK) read_extents(instance);
+    return status;
+}
+
+mt_status mt_typesets_new(mt_blend *blend, const mt_choice *choices, int choice_count, const double *at,
+                          int count, mt_fonts_made made, void *user, mt_typeset **instances) {
+    maker making = {blend, mt_new((size_t)count, sizeof *making.list), count};
+    uint32_t glyph;
+    mt_status status = making.list ? mt_row_choose(&blend->row, choices, choice_count) : MT_NO_MEMORY;
+    if (status == MT_OK) status = mt_blend_make(blend, at, count, keep, &making);
+    for (int i = 0; i < choice_count && status == MT_OK; i++)
+        if (!mt_typeset_glyph(making.list, &choices[i], &glyph)) status = MT_NO_GLYPH;
+    if (status == MT_OK && made) status = made(user);
+    if (status == MT_OK)
+        *instances = making.list;
+    else
+        mt_typesets_free(making.list, count);
+    return status;
+}
+
+bool mt_typeset_glyph(const mt_typeset *instance, const mt_choice *choice, uint32_t *glyph) {
+    if (!choice->name) return hb_font_get_nominal_glyph(instance->font, choice->code_point, glyph);
+    *glyph = instance->firsts[choice->glyph].number;
+    return instance->firsts[choice->glyph].kept;
+}
 /* ---- measures ------------------------------------------------------------------------------------------ */
-
-static void widen(mt_extents *all, mt_extents one) {
-    if (one.left < all->left) all->left = one.left;
-    if (one.right > all->right) all->right = one.right;
-    if (one.bottom < all->bottom) all->bottom = one.bottom;
-    if (one.top > all->top) all->top = one.top;
-}
 
 mt_extents mt_glyph_extents(const mt_typeset *instance, uint32_t glyph) {
     hb_glyph_extents_t ink = {0};
@@ -148,62 +164,4 @@ mt_extents mt_glyph_extents(const mt_typeset *instance, uint32_t glyph) {
                         .bottom = (ink.y_bearing + ink.height) / units,
                         .top = ink.y_bearing / units,
                         .advance = hb_font_get_glyph_h_advance(instance->font, glyph) / units};
-}
-
-/* ---- lines of text ------------------------------------------------------------------------------------- */
-
-/* A glyph of a shaped line and its place, font units, y upwards. */
-typedef struct placed {
-    uint32_t glyph;
-    double x, y;
-} placed;
-
-/* Steps through a shaped line: the glyph at `index`, with the pen before it in *pen and after it on return. */
-static placed place(const mt_line *line, unsigned index, double *pen) {
-    const hb_glyph_info_t *info = hb_buffer_get_glyph_infos(line->buffer, NULL);
-    const hb_glyph_position_t *position = hb_buffer_get_glyph_positions(line->buffer, NULL);
-    placed glyph = {info[index].codepoint, *pen + position[index].x_offset, position[index].y_offset};
-    *pen += position[index].x_advance;
-    return glyph;
-}
-
-static void measure(const mt_typeset *instance, mt_line *line) {
-    double pen = 0;
-    mt_extents all = {0};
-    for (unsigned i = 0; i < hb_buffer_get_length(line->buffer); i++) {
-        placed at = place(line, i, &pen);
-        mt_extents ink = mt_glyph_extents(instance, at.glyph);
-        double x = at.x / instance->units, y = at.y / instance->units;
-        widen(&all, (mt_extents){ink.left + x, ink.right + x, ink.bottom + y, ink.top + y, 0});
-    }
-    all.advance = pen / instance->units;
-    if (all.right < all.advance) all.right = all.advance;
-    line->extents = all;
-}
-
-mt_status mt_line_shape(const mt_typeset *instance, const char *utf8, int length, mt_line *line) {
-    *line = (mt_line){.buffer = hb_buffer_create()};
-    hb_buffer_add_utf8(line->buffer, utf8, length, 0, length);
-    hb_buffer_guess_segment_properties(line->buffer);
-    hb_shape(instance->font, line->buffer, NULL, 0);
-    if (!hb_buffer_allocation_successful(line->buffer)) {
-        mt_line_free(line);
-        return MT_NO_MEMORY;
-    }
-    measure(instance, line);
-    return MT_OK;
-}
-
-void mt_line_free(mt_line *line) {
-    hb_buffer_destroy(line->buffer);
-    line->buffer = NULL;
-}
-
-void mt_line_draw(const mt_typeset *instance, const mt_line *line, cairo_t *cairo, double x, double y,
-                  double size) {
-    double pen = 0, scale = size / instance->units;
-    for (unsigned i = 0; i < hb_buffer_get_length(line->buffer); i++) {
-        placed at = place(line, i, &pen);
-        mt_glyph_draw(instance, at.glyph, cairo, x + at.x * scale, y - at.y * scale, size);
-    }
 }

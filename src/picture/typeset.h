@@ -6,23 +6,31 @@
 #include <cairo.h>
 #include <hb.h>
 
+/* What became of a glyph of the first font's. */
+typedef struct mt_first_glyph {
+    bool kept;
+    uint32_t number;     /* in the instances */
+    uint32_t code_point; /* as mt_origin */
+} mt_first_glyph;
+
 typedef struct mt_typeset {
     uint8_t *bytes;
+    mt_first_glyph *firsts; /* of each of the first font's glyphs; the first instance of several has them */
     hb_font_t *font;
     hb_draw_funcs_t *draw;
     double units;           /* per em */
     double ascent, descent; /* em, from the baseline; descent is positive */
 } mt_typeset;
 
-/* Instances of some characters, one for each T; sets the blend's characters to these. Once they are made `made` is called,
- * unless NULL, and what it returns is returned. MT_NO_GLYPH when one of the fonts lacks a character, MT_NO_MEMORY, and what
- * mt_blend_fonts gives. */
-mt_status mt_typesets_new(mt_blend *blend, const uint32_t *code_points, int char_count, const double *at,
+/* Instances of some characters and glyphs, one for each T; sets the blend's characters and glyphs to these. Once they are made
+ * `made` is called, unless NULL, and what it returns is returned. MT_NO_GLYPH when one of the fonts lacks a character,
+ * MT_NO_MEMORY, and what mt_blend_fonts gives. */
+mt_status mt_typesets_new(mt_blend *blend, const mt_choice *choices, int choice_count, const double *at,
                           int count, mt_fonts_made made, void *user, mt_typeset **instances);
 void mt_typesets_free(mt_typeset *instances, int count); /* NULL is fine */
 
-/* The glyph of a code point; false when the font has none. */
-bool mt_typeset_glyph(const mt_typeset *instance, uint32_t code_point, uint32_t *glyph);
+/* The glyph of a choice; false when the font has none. */
+bool mt_typeset_glyph(const mt_typeset *instance, const mt_choice *choice, uint32_t *glyph);
 
 /* An upright box of ink around an origin, em, y upwards; `advance` is how far the pen moves on. */
 typedef struct mt_extents {
@@ -30,12 +38,12 @@ typedef struct mt_extents {
 } mt_extents;
 
 /* A line of text, shaped: its script, direction and language guessed by HarfBuzz from the text. Left to right
- * on the page. */
+ * on the page. Named glyphs stay what they are: no substitution takes one in, and kerning and marks do. */
 typedef struct mt_line {
     hb_buffer_t *buffer;
     mt_extents extents;
 } mt_line;
-mt_status mt_line_shape(const mt_typeset *instance, const char *utf8, int length, mt_line *line);
+mt_status mt_line_shape(const mt_typeset *instance, const mt_choice *text, int length, mt_line *line);
 void mt_line_free(mt_line *line); /* all zero is fine */
 
 mt_extents mt_glyph_extents(const mt_typeset *instance, uint32_t glyph);

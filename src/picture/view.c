@@ -2,6 +2,7 @@
 #include "picture/view.h"
 
 #include "geometry/decompose.h"
+#include "glyphset/match.h"
 
 #include <string.h>
 
@@ -32,9 +33,28 @@ static mt_status decompose(const mt_shape *shape, mt_arena *arena, mt_side *side
     return MT_OK;
 }
 
-mt_status mt_view_prepare(mt_row *row, uint32_t code_point, mt_arena *arena, mt_view *view) {
-    *view = (mt_view){.code_point = code_point, .paired = row->font_count > 1};
-    mt_status status = mt_pair_prepare_char(row, code_point, arena, &view->pair);
+static mt_status prepare(mt_row *row, const mt_choice *choice, mt_choice_glyphs glyphs, mt_arena *arena,
+                         mt_view *view) {
+    *view = (mt_view){.choice = choice, .paired = glyphs.b != MT_NO_PARTNER};
+    mt_status status = mt_pair_prepare(row, 0, glyphs.a, glyphs.b, arena, &view->pair);
     if (status != MT_OK || view->paired) return status;
     return decompose(&view->pair.a, arena, &view->pair.morph.a);
+}
+
+mt_status mt_views_make(mt_row *row, const mt_inspection *what, mt_view_taken take, void *user, int *failed) {
+    mt_arena arena = {0}, kept = {0};
+    mt_choice_glyphs *glyphs;
+    mt_status status = mt_choices_pair(row, what->choices, what->count, &kept, &glyphs, failed);
+    for (int i = 0; status == MT_OK && i < what->count; i++) {
+        mt_view view;
+        mt_arena_reset(&arena);
+        status = prepare(row, &what->choices[i], glyphs[i], &arena, &view);
+        if (status != MT_OK)
+            *failed = i;
+        else
+            status = take(&view, i, &arena, user);
+    }
+    mt_arena_release(&arena);
+    mt_arena_release(&kept);
+    return status;
 }

@@ -58,9 +58,9 @@ static mt_status draw_strip(int index, mt_arena *scratch, mt_arena *kept, void *
     const mt_page *page = user;
     mt_row *row = page->report->row;
     const mt_report_glyph *glyph = &page->report->glyphs[page->report->summary.failed + index];
-    mt_glyph_pair pair;
+    mt_glyph_pair pair = {0};
     (void)kept;
-    mt_status status = mt_pair_prepare_char(row, glyph->code_point, scratch, &pair);
+    mt_status status = mt_pair_prepare(row, 0, glyph->of.a, glyph->of.b, scratch, &pair);
     if (status != MT_OK) return status;
     return mt_report_strip(&pair, &row->params, glyph, scratch, &page->strips[index]);
 }
@@ -98,7 +98,7 @@ static const char style[] =
     "thead th{color:var(--quiet);font-weight:normal;border-bottom:1px solid var(--line)}"
     "tbody{border-bottom:1px solid var(--line)}"
     "td.look{white-space:normal;padding-bottom:.6rem}td.look ul{margin:0;padding-left:1.1rem}"
-    ".char{font-size:1.4rem;margin-right:.4rem}small{color:var(--quiet)}"
+    ".char{font-size:1.4rem;margin-right:.4rem}.name{overflow-wrap:anywhere}small{color:var(--quiet)}"
     ".strip{display:flex;flex-wrap:wrap;gap:.25rem;margin-top:.4rem}"
     "svg path{fill:currentColor}svg.off{color:var(--off)}"
     "@media(max-width:40rem){body{font-size:13px}th,td{padding-right:.4rem}}";
@@ -137,9 +137,9 @@ static void put_summary(mt_page *page) {
                report->count, sum->flagged, sum->failed, sum->methods[MT_REPORT_ALIGNED],
                sum->methods[MT_REPORT_LINKED], sum->methods[MT_REPORT_BOTH]);
     put_percent(page, "Components and holes stay in the range of the two fonts’ in ",
-                (double)sum->in_range / report->count);
+                mt_report_share(report, sum->in_range));
     put_percent(page, " of the glyphs; ink does, or leaves it by no more than its limit, in ",
-                (double)sum->ink_near / report->count);
+                mt_report_share(report, sum->ink_near));
     put(page, ".</p>\n");
 }
 
@@ -194,10 +194,25 @@ static void put_figures(mt_page *page, const mt_report_glyph *glyph) {
                glyph->drawing_half.points, glyph->drawing_b.points, mt_report_kinks(glyph));
 }
 
+/* The character that leads to the glyph, or the glyph's name. */
+static void put_name(mt_page *page, const mt_pairing *glyph) {
+    char label[MT_GLYPH_LABEL_ROOM];
+    if (glyph->mapped) {
+        put(page, "<bdi class=\"char\">");
+        if (!mt_html_is_control(glyph->code_point)) put_character(page, glyph->code_point);
+        put_format(page, "</bdi><small>U+%04lX</small>", (unsigned long)glyph->code_point);
+        return;
+    }
+    mt_naming_label(page->report->naming, glyph->a, label);
+    put(page, "<bdi class=\"name\">");
+    put_text(page, label);
+    put(page, "</bdi>");
+}
+
 static void put_row(mt_page *page, const mt_report_glyph *glyph) {
-    put(page, "<tr><th scope=\"row\"><bdi class=\"char\">");
-    if (!mt_html_is_control(glyph->code_point)) put_character(page, glyph->code_point);
-    put_format(page, "</bdi><small>U+%04lX</small></th>", (unsigned long)glyph->code_point);
+    put(page, "<tr><th scope=\"row\">");
+    put_name(page, &glyph->of);
+    put(page, "</th>");
     if (glyph->status == MT_OK)
         put_figures(page, glyph);
     else
@@ -261,6 +276,21 @@ static void put_others(mt_page *page) {
     put(page, "</tbody>\n</table></div></details>\n");
 }
 
+static void put_unblended(mt_page *page) {
+    const mt_report *report = page->report;
+    int count = report->unblended_count;
+    if (count == 0) return;
+    put_format(page,
+               "<h2>As in the first font</h2>\n<details><summary>%d glyph%s without a partner in the second "
+               "font</summary>\n<p>",
+               count, count == 1 ? "" : "s");
+    for (int i = 0; i < count; i++) {
+        if (i) put(page, ", ");
+        put_name(page, &report->unblended[i]);
+    }
+    put(page, "</p></details>\n");
+}
+
 mt_status mt_report_html(const mt_report *report, mt_buffer *text) {
     mt_buffer made = {0};
     mt_page page = {.report = report, .text = &made};
@@ -270,6 +300,7 @@ mt_status mt_report_html(const mt_report *report, mt_buffer *text) {
     put_legend(&page);
     put_flagged(&page);
     put_others(&page);
+    put_unblended(&page);
     put(&page, "</body>\n</html>\n");
     for (int i = 0; page.strips && i < page.strip_count; i++) mt_buffer_free(&page.strips[i]);
     mt_free(page.strips);

@@ -40,10 +40,11 @@ static void add_summary(mt_json *json, const mt_report *report) {
     mt_json_int(json, "glyphs", report->count);
     mt_json_int(json, "flagged", sum->flagged);
     mt_json_int(json, "failed", sum->failed);
+    mt_json_int(json, "unblended", report->unblended_count);
     for (int i = 0; i < 3; i++)
         mt_json_int(json, mt_report_method_name((mt_report_method)i), sum->methods[i]);
-    mt_json_number(json, "counts_in_range", (double)sum->in_range / report->count);
-    mt_json_number(json, "ink_in_range", (double)sum->ink_near / report->count);
+    mt_json_number(json, "counts_in_range", mt_report_share(report, sum->in_range));
+    mt_json_number(json, "ink_in_range", mt_report_share(report, sum->ink_near));
     mt_json_object_end(json);
 }
 
@@ -105,12 +106,33 @@ static void add_figures(mt_json *json, const mt_report_glyph *glyph) {
     mt_json_object_end(json);
 }
 
-static void add_glyph(mt_json *json, const mt_report_glyph *glyph) {
-    char character[5] = "";
-    mt_utf8_put(glyph->code_point, character);
+/* The character that leads to the glyph, or the glyph's name. */
+static void add_name(mt_json *json, const mt_report *report, const mt_pairing *glyph) {
+    char character[5] = "", label[MT_GLYPH_LABEL_ROOM];
+    if (glyph->mapped) {
+        mt_utf8_put(glyph->code_point, character);
+        mt_json_text(json, "character", character);
+        mt_json_int(json, "code_point", glyph->code_point);
+        return;
+    }
+    mt_naming_label(report->naming, glyph->a, label);
+    mt_json_text(json, "glyph", label);
+}
+
+static void add_unblended(mt_json *json, const mt_report *report) {
+    mt_json_array(json, "unblended");
+    for (int i = 0; i < report->unblended_count; i++) {
+        mt_json_one_line(json);
+        mt_json_object(json, NULL);
+        add_name(json, report, &report->unblended[i]);
+        mt_json_object_end(json);
+    }
+    mt_json_array_end(json);
+}
+
+static void add_glyph(mt_json *json, const mt_report *report, const mt_report_glyph *glyph) {
     mt_json_object(json, NULL);
-    mt_json_text(json, "character", character);
-    mt_json_int(json, "code_point", glyph->code_point);
+    add_name(json, report, &glyph->of);
     add_flags(json, glyph);
     if (glyph->status == MT_OK) add_figures(json, glyph);
     mt_json_object_end(json);
@@ -122,8 +144,9 @@ mt_status mt_report_json(const mt_report *report, mt_buffer *text) {
     add_heading(&json, report);
     add_summary(&json, report);
     mt_json_array(&json, "glyphs");
-    for (int i = 0; i < report->count; i++) add_glyph(&json, &report->glyphs[i]);
+    for (int i = 0; i < report->count; i++) add_glyph(&json, report, &report->glyphs[i]);
     mt_json_array_end(&json);
+    add_unblended(&json, report);
     mt_json_object_end(&json);
     if (json.status == MT_OK)
         *text = json.text;

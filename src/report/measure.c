@@ -113,8 +113,7 @@ static mt_report_method method_of(const mt_morph *morph) {
 
 mt_status mt_report_measure(const mt_glyph_pair *pair, const mt_params *params, int units, mt_arena *arena,
                             mt_report_glyph *glyph) {
-    mt_report_glyph made = {
-        .measured = true, .code_point = glyph->code_point, .method = method_of(&pair->morph)};
+    mt_report_glyph made = {.measured = true, .of = glyph->of, .method = method_of(&pair->morph)};
     mt_arena_place before = mt_arena_mark(arena);
     mt_status status = measure_end(&pair->a, params, units, arena, &made.ink_a, &made.drawing_a);
     if (status == MT_OK) status = measure_end(&pair->b, params, units, arena, &made.ink_b, &made.drawing_b);
@@ -143,8 +142,9 @@ static mt_status start(mt_making *making, void *user) {
 }
 
 static mt_status begin(mt_glyph_task *task, void *user, bool *wanted) {
-    (void)user;
-    *wanted = task->b != MT_NO_PARTNER && task->making->set.charset.glyphs[task->glyph].mapped;
+    const mt_report_figures *figures = user;
+    bool mapped = task->making->set.charset.glyphs[task->glyph].mapped;
+    *wanted = task->b != MT_NO_PARTNER && task->glyph != 0 && (mapped || !figures->mapped_only);
     return MT_OK;
 }
 
@@ -154,7 +154,7 @@ static mt_status take(mt_glyph_task *task, mt_status prepared, void *user) {
     mt_report_glyph *glyph = &figures->steps[task->step][task->glyph];
     mt_status status = prepared;
     glyph->measured = true;
-    glyph->code_point = making->set.charset.glyphs[task->glyph].code_point;
+    glyph->of = making->set.charset.glyphs[task->glyph];
     if (status == MT_OK)
         status = mt_report_measure(&task->pair, &making->row->params, making->units, task->scratch, glyph);
     if (status == MT_NO_MEMORY) return status;

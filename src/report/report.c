@@ -9,11 +9,18 @@
 
 /* ---- the report ---------------------------------------------------------------------------------------- */
 
+/* Those of characters, by code point, before those of none, by number. */
+static int by_name(const mt_pairing *x, const mt_pairing *y) {
+    uint32_t in_x = x->mapped ? x->code_point : x->a, in_y = y->mapped ? y->code_point : y->a;
+    if (x->mapped != y->mapped) return x->mapped ? -1 : 1;
+    return (in_x > in_y) - (in_x < in_y);
+}
+
 static int worst_first(const void *p, const void *q) {
     const mt_report_glyph *x = p, *y = q;
     if ((x->flags != 0) != (y->flags != 0)) return x->flags ? -1 : 1;
     if (x->severity != y->severity) return x->severity > y->severity ? -1 : 1;
-    return (x->code_point > y->code_point) - (x->code_point < y->code_point);
+    return by_name(&x->of, &y->of);
 }
 
 static void summarise(mt_report *report) {
@@ -29,12 +36,17 @@ static void summarise(mt_report *report) {
     }
 }
 
-/* The measured glyphs out of all. */
+/* The measured glyphs out of all, and those without a partner. */
 static mt_status collect(const mt_making *making, const mt_report_figures *figures, mt_report *report) {
+    const mt_charset *charset = &making->set.charset;
     report->glyphs = mt_new((size_t)making->glyph_count, sizeof *report->glyphs);
-    if (!report->glyphs) return MT_NO_MEMORY;
-    for (int i = 0; i < making->glyph_count; i++)
+    report->unblended = mt_new((size_t)charset->unblended_count, sizeof *report->unblended);
+    if (!report->glyphs || !report->unblended) return MT_NO_MEMORY;
+    for (int i = 0; i < making->glyph_count; i++) {
         if (figures->steps[0][i].measured) report->glyphs[report->count++] = figures->steps[0][i];
+        if (charset->glyphs[i].b == MT_NO_PARTNER)
+            report->unblended[report->unblended_count++] = charset->glyphs[i];
+    }
     if (report->count) qsort(report->glyphs, (size_t)report->count, sizeof *report->glyphs, worst_first);
     summarise(report);
     return MT_OK;
@@ -49,15 +61,21 @@ mt_status mt_report_make(mt_row *row, mt_report *report) {
     mt_status status = mt_making_begin(&making, row, &request);
     if (status == MT_OK) status = mt_making_run(&making);
     if (status == MT_OK) status = collect(&making, &figures, &made);
+    if (status == MT_OK) status = mt_naming_open(row->fonts[0], &made.naming);
     mt_report_figures_free(&figures);
     mt_making_end(&making);
-    if (status == MT_OK) *report = made;
+    if (status == MT_OK)
+        *report = made;
+    else
+        mt_report_free(&made);
     return status;
 }
 
 void mt_report_free(mt_report *report) {
     mt_free(report->glyphs);
-    report->glyphs = NULL;
+    mt_free(report->unblended);
+    mt_naming_close(report->naming);
+    *report = (mt_report){0};
 }
 
 /* ---- the file ------------------------------------------------------------------------------------------ */

@@ -11,6 +11,7 @@
 
 #include "base/buffer.h"
 #include "blend/making.h"
+#include "glyphset/naming.h"
 #include "morph/check/topology.h"
 #include "morphotype.h"
 
@@ -66,9 +67,9 @@ typedef struct mt_report_drawing {
 } mt_report_drawing;
 
 typedef struct mt_report_glyph {
-    bool measured;       /* of a font's glyphs: a character leads to it, and it is between two glyphs */
-    uint32_t code_point; /* the first character that it stands for */
-    mt_status status;    /* other than MT_OK: all that follows but flags and severity is 0 */
+    bool measured;    /* of a font's glyphs: it is between two glyphs, and looked at */
+    mt_pairing of;    /* these glyphs, with the first character that leads here, or whose form it is */
+    mt_status status; /* other than MT_OK: all that follows but flags and severity is 0 */
     mt_report_method method;
     mt_topology ink_a, ink_b; /* as the fonts draw them */
     mt_topology ink[MT_REPORT_STEPS];
@@ -113,11 +114,13 @@ const char *mt_report_method_name(mt_report_method method);
 
 /* What a sink (blend/making.h) measures. */
 typedef struct mt_report_figures {
+    bool mapped_only; /* glyphs that no character leads to are not looked at */
     int step_count;
     mt_report_glyph **steps; /* of each step, the new font's glyphs; all NULL until the glyphs are known */
 } mt_report_figures;
 
-/* Measures and judges each glyph that a character leads to. A glyph that fails is a finding, and no failure of the sink. */
+/* Measures and judges each glyph that lies between two others, but for .notdef, which nobody asks for. A glyph that fails is a
+ * finding, and no failure of the sink. */
 mt_sink mt_report_sink(mt_report_figures *figures);
 void mt_report_figures_free(mt_report_figures *figures); /* all zero is fine */
 
@@ -131,16 +134,25 @@ typedef struct mt_report_summary {
 } mt_report_summary;
 
 typedef struct mt_report {
-    mt_row *row; /* of two fonts */
+    mt_row *row;       /* of two fonts */
+    mt_naming *naming; /* of the first */
     int count;
-    mt_report_glyph *glyphs; /* the worst first; those without a flag by code point; from mt_new */
+    mt_report_glyph
+        *glyphs; /* the worst first; those without a flag by code point, then by number; from mt_new */
+    int unblended_count;
+    mt_pairing *unblended; /* without a partner, so that there is nothing to measure; from mt_new */
     mt_report_summary summary;
 } mt_report;
 
-/* Measures each glyph of the row's characters, or of all that both fonts have; characters that lead to the same two glyphs
- * are one. Glyphs that fail are in the report. MT_NOTHING_SHARED, MT_TOO_LARGE, MT_NO_MEMORY. */
+/* A count of glyphs over that of all; 1 where there are none. */
+static inline double mt_report_share(const mt_report *report, int count) {
+    return report->count ? (double)count / report->count : 1;
+}
+
+/* Measures each glyph that a blend of the row has: of all characters that both fonts have, or of the row's characters and glyphs;
+ * characters that lead to the same two glyphs are one. Glyphs that fail are in the report. MT_NOTHING_SHARED, MT_TOO_LARGE, MT_NO_MEMORY. */
 mt_status mt_report_make(mt_row *row, mt_report *report);
-void mt_report_free(mt_report *report);
+void mt_report_free(mt_report *report); /* all zero is fine */
 
 /* What the page has of a glyph's in-betweens: an SVG picture for each place, those that are out of the ends'
  * counts marked. As mt_morph_outline. */

@@ -89,6 +89,7 @@ static mt_status keep_font(const mt_font_data *data, int index, void *user) {
 /* The glyphs are judged as they are made. */
 static mt_status make_font(mt_specimen_state *making) {
     const mt_specimen_request *request = making->specimen.request;
+    making->specimen.figures.mapped_only = true;
     mt_sink judge = mt_report_sink(&making->specimen.figures);
     mt_status status = mt_variable_make(request->variable, &judge, keep_font, making);
     if (status == MT_OK && request->made) status = request->made(request->user);

@@ -42,6 +42,13 @@ typedef struct mt_char_variation {
     bool by_default; /* the character's own glyph */
 } mt_char_variation;
 
+/* Where a glyph comes from. */
+typedef struct mt_origin {
+    uint32_t glyph; /* its number in the first source */
+    uint32_t
+        code_point; /* of the first character that leads to it, or that it is a form of; 0: none is known */
+} mt_origin;
+
 /* A table that was made elsewhere and goes into the font as it is. */
 typedef struct mt_extra_table {
     uint32_t tag;
@@ -54,6 +61,7 @@ typedef struct mt_font_data {
     int units;       /* per em, 16 … 16384 */
     int glyph_count; /* 1 … MT_GLYPHS_MAX; glyph 0 is .notdef */
     mt_glyf *glyphs;
+    const mt_origin *origins; /* one a glyph; NULL: not told */
     int char_count;
     mt_char *chars; /* ascending */
     int variant_count;

@@ -1,4 +1,5 @@
 #include "base/memory.h"
+#include "blend/row.h"
 #include "geometry/limits.h"
 #include "hints/index.h"
 #include "support/allocation.h"
@@ -244,12 +245,38 @@ static void files(void **state) {
     mt_hint_table_free(table);
 }
 
+static void hints_of_names(void **state) {
+    (void)state;
+    mt_hint_table *table =
+        read_text("glyph /f_i\npoint 1,2 3,4\nglyph b\npoint 5,6 7,8\nglyph /a.sc # small\n"
+                  "component 1,1 2,2\npoint 3,3 4,4\nglyph /\npoint 0,0 0,0\n");
+    uint32_t code_point;
+    assert_int_equal(table->count, 5);
+    assert_int_equal(table->character_count, 2);
+    assert_int_equal(table->lines[0].code_point, '/');
+    assert_int_equal(table->lines[1].code_point, 'b');
+    static const struct {
+        const char *name;
+        int name_line, line;
+    } named[] = {{"f_i", 1, 2}, {"a.sc", 5, 6}, {"a.sc", 5, 7}};
+    for (int i = 0; i < 3; i++) {
+        const mt_hint_line *line = &table->lines[2 + i];
+        assert_string_equal(line->name, named[i].name);
+        assert_int_equal(line->name_line, named[i].name_line);
+        assert_int_equal(line->line, named[i].line);
+    }
+    assert_true(mt_hint_table_next_char(table, 'a', &code_point));
+    assert_int_equal(code_point, 'b');
+    assert_false(mt_hint_table_next_char(table, 'c', &code_point));
+    mt_hint_table_free(table);
+}
+
 /* ---- the index ----------------------------------------------------------------------------------------- */
 
 static mt_hint_index *index_text(const char *text) {
     mt_hint_index *index;
     mt_hint_table *table = read_text(text);
-    mt_assert_ok(mt_hint_index_new(table, (mt_font *[]){a, b}, 0, NULL, &index, NULL));
+    mt_assert_ok(mt_hint_index_new(table, NULL, (mt_font *[]){a, b}, 0, NULL, &index, NULL));
     mt_hint_table_free(table);
     return index;
 }
@@ -288,6 +315,25 @@ static void by_pairs_of_glyphs(void **state) {
     mt_hint_index_free(index);
 }
 
+/* A name's hints are with those of the characters that lead to the same glyphs, in the order of the file. */
+static void by_named_glyphs(void **state) {
+    (void)state;
+    mt_hint_index *index;
+    mt_hint_table *table =
+        read_text("glyph A\npoint 1,0 0,0\nglyph /x\npoint 2,0 0,0\nglyph /y\npoint 3,0 0,0\n"
+                  "glyph /z\npoint 4,0 0,0\nglyph B\npoint 5,0 0,0\n");
+    static const mt_hint_glyphs named[] = {{true, 1, 1}, {true, 1, 2}, {.a = 2, .b = 2}};
+    mt_assert_ok(mt_hint_index_new(table, named, (mt_font *[]){a, b}, 0, NULL, &index, NULL));
+    mt_hints shared = mt_hint_index_find(index, 1, 1);
+    assert_int_equal(shared.count, 3);
+    static const int x[] = {1, 2, 5};
+    for (int i = 0; i < 3; i++) assert_hint(shared.hints[i], MT_HINT_POINT, 256 * x[i], 0, 0, 0);
+    assert_int_equal(mt_hint_index_find(index, 1, 2).count, 1);
+    assert_int_equal(mt_hint_index_find(index, 2, 2).count, 0); /* not paired */
+    mt_hint_index_free(index);
+    mt_hint_table_free(table);
+}
+
 static void no_hints(void **state) {
     (void)state;
     mt_hint_index *index = index_text("glyph z\npoint 1,2 3,4\n");
@@ -304,9 +350,9 @@ static void assert_unfit(const char *text, mt_font *in_a, mt_font *in_b, int lin
     mt_hint_index *index = NULL;
     mt_hint_error error = {-1, ""};
     mt_hint_table *table = read_text(text);
-    assert_int_equal(mt_hint_index_new(table, (mt_font *[]){in_a, in_b}, 0, NULL, &index, NULL),
+    assert_int_equal(mt_hint_index_new(table, NULL, (mt_font *[]){in_a, in_b}, 0, NULL, &index, NULL),
                      MT_BAD_HINTS);
-    assert_int_equal(mt_hint_index_new(table, (mt_font *[]){in_a, in_b}, 0, NULL, &index, &error),
+    assert_int_equal(mt_hint_index_new(table, NULL, (mt_font *[]){in_a, in_b}, 0, NULL, &index, &error),
                      MT_BAD_HINTS);
     assert_null(index);
     assert_int_equal(error.line, line);
@@ -322,7 +368,7 @@ static void places_off_the_grid(void **state) {
     assert_unfit("glyph A\npoint 0,0 0,0\npoint 0,0 -525,0", a, coarse, 3, "second font");
     mt_hint_index *index;
     mt_hint_table *table = read_text("glyph o\npoint 525,0 525,0\nglyph A\npoint 524,-524 524,-524");
-    mt_assert_ok(mt_hint_index_new(table, (mt_font *[]){coarse, coarse}, 0, NULL, &index, NULL));
+    mt_assert_ok(mt_hint_index_new(table, NULL, (mt_font *[]){coarse, coarse}, 0, NULL, &index, NULL));
     mt_hint_index_free(index);
     mt_hint_table_free(table);
     mt_font_close(coarse);
@@ -365,6 +411,28 @@ static void blends_take_hints(void **state) {
     mt_font_close(coarse);
 }
 
+/* By numbers: the sample has no names. */
+static void blends_take_hints_by_name(void **state) {
+    (void)state;
+    mt_blend *blend;
+    mt_hint_error error = {-1, ""};
+    mt_params params = mt_params_default();
+    mt_assert_ok(mt_blend_new(a, b, &params, &blend));
+    mt_hint_table *table = read_text("glyph A\npoint 1,0 0,0\n\nglyph /gid77\n\npoint 1,0 0,0\n");
+    assert_int_equal(mt_blend_set_hints(blend, table, NULL), MT_BAD_HINTS);
+    assert_int_equal(mt_blend_set_hints(blend, table, &error), MT_BAD_HINTS);
+    assert_int_equal(error.line, 4);
+    mt_hint_table_free(table);
+    table = read_text("glyph A\npoint 1,0 0,0\nglyph /gid2\npoint 2,0 0,0\nglyph /gid3\npoint 3,0 0,0\n");
+    mt_assert_ok(mt_blend_set_hints(blend, table, &error));
+    const mt_hint_index *index = blend->row.hints[0];
+    assert_int_equal(mt_hint_index_find(index, 1, 1).count, 1);
+    assert_hint(mt_hint_index_find(index, 2, 2).hints[0], MT_HINT_POINT, 512, 0, 0, 0);
+    assert_int_equal(mt_hint_index_find(index, 3, 3).count, 0); /* b has no é */
+    mt_hint_table_free(table);
+    mt_blend_free(blend);
+}
+
 /* ---- memory -------------------------------------------------------------------------------------------- */
 
 static mt_status read_and_index(void) {
@@ -373,7 +441,7 @@ static mt_status read_and_index(void) {
     mt_hint_index *index;
     mt_status status = mt_hint_table_read(text, sizeof text - 1, &table, NULL);
     if (status != MT_OK) return status;
-    status = mt_hint_index_new(table, (mt_font *[]){a, b}, 0, NULL, &index, NULL);
+    status = mt_hint_index_new(table, NULL, (mt_font *[]){a, b}, 0, NULL, &index, NULL);
     mt_hint_table_free(table);
     if (status == MT_OK) mt_hint_index_free(index);
     return status;
@@ -407,12 +475,15 @@ int main(void) {
         cmocka_unit_test(bad_files),
         cmocka_unit_test(limits),
         cmocka_unit_test(files),
+        cmocka_unit_test(hints_of_names),
         cmocka_unit_test(on_the_grid),
         cmocka_unit_test(by_pairs_of_glyphs),
+        cmocka_unit_test(by_named_glyphs),
         cmocka_unit_test(no_hints),
         cmocka_unit_test(places_off_the_grid),
         cmocka_unit_test(too_many_for_a_glyph),
         cmocka_unit_test(blends_take_hints),
+        cmocka_unit_test(blends_take_hints_by_name),
         cmocka_unit_test(survives_want_of_memory),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -41,7 +41,7 @@ static mt_shape frame(int side, int hole) {
 static mt_report_glyph measured(mt_shape a, mt_shape b, mt_method method) {
     mt_params params = mt_params_default();
     mt_glyph_pair pair = {.a = a, .b = b};
-    mt_report_glyph glyph = {.code_point = 'x'};
+    mt_report_glyph glyph = {.of.code_point = 'x'};
     params.method = method;
     mt_assert_ok(mt_morph_prepare(&pair.a, &pair.b, NULL, &params, &arena, &pair.morph));
     mt_assert_ok(mt_report_measure(&pair, &params, 1000, &arena, &glyph));
@@ -143,7 +143,7 @@ static void tangents_are_those_of_curves(void **state) {
 static void a_square_that_grows(void **state) {
     (void)state;
     mt_report_glyph glyph = measured(frame(200, 0), frame(600, 0), MT_METHOD_JOINT);
-    assert_int_equal(glyph.code_point, 'x');
+    assert_int_equal(glyph.of.code_point, 'x');
     assert_int_equal(glyph.method, MT_REPORT_ALIGNED);
     assert_int_equal(glyph.flags, 0);
     for (int i = 0; i < MT_REPORT_STEPS; i++) {
@@ -256,7 +256,7 @@ static void points_and_kinks_have_limits(void **state) {
 
 static void failures_come_first(void **state) {
     (void)state;
-    mt_report_glyph glyph = {.code_point = 'x', .status = MT_NO_COUNTERPART};
+    mt_report_glyph glyph = {.of.code_point = 'x', .status = MT_NO_COUNTERPART};
     judged(glyph, MT_FLAG_FAILED, 1000, mt_status_text(MT_NO_COUNTERPART));
 }
 
