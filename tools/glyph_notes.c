@@ -87,27 +87,27 @@ static int kind_end(const glyph_notes *notes, int from) {
 
 /* ---- lines -------------------------------------------------------------------------------------- */
 
-/* The character that leads to the glyph; or its name, or number, in the first font. */
-static void describe(const glyph_note *note, const char *font, char *text, size_t room) {
+/* The character that leads to the glyph; or its name in the first font, or its number, as --text takes them. */
+static void describe(const glyph_note *note, char *text, size_t room) {
     char character[CHARACTER_NAME_ROOM];
     if (note->code_point) character_describe(note->code_point, character, sizeof character);
     if (note->code_point && !note->is_form)
         snprintf(text, room, "%s", character);
     else if (note->name)
-        snprintf(text, room, "/%s (glyph %lu of %s)", note->name, (unsigned long)note->glyph, font);
+        snprintf(text, room, "/%s", note->name);
     else if (note->code_point)
-        snprintf(text, room, "glyph %lu of %s (a form of %s)", (unsigned long)note->glyph, font, character);
+        snprintf(text, room, "/gid%lu (a form of %s)", (unsigned long)note->glyph, character);
     else
-        snprintf(text, room, "glyph %lu of %s", (unsigned long)note->glyph, font);
+        snprintf(text, room, "/gid%lu", (unsigned long)note->glyph);
 }
 
-static void list_glyphs(const glyph_note *notes, int count, const char *font, char *text, size_t room) {
+static void list_glyphs(const glyph_note *notes, int count, char *text, size_t room) {
     size_t used = 0;
     int named = 0;
     *text = '\0';
     for (; named < count && named < NAMED_MOST && used + 1024 < room; named++) {
         if (named) used += (size_t)snprintf(text + used, room - used, ", ");
-        describe(&notes[named], font, text + used, room - used);
+        describe(&notes[named], text + used, room - used);
         used += strlen(text + used);
     }
     if (named < count) snprintf(text + used, room - used, " and %d more", count - named);
@@ -127,7 +127,7 @@ static void describe_reason(const glyph_note *note, const cli_options *options, 
 
 static void say_failures(const glyph_note *notes, int count, const cli_options *options) {
     char glyphs[LINE_ROOM], reason[4096];
-    list_glyphs(notes, count, options->fonts[0], glyphs, sizeof glyphs);
+    list_glyphs(notes, count, glyphs, sizeof glyphs);
     describe_reason(notes, options, reason, sizeof reason);
     if (count == 1)
         say("%s: not blended, %s: %s", glyphs,
@@ -148,7 +148,7 @@ void glyph_notes_say_failures(glyph_notes *notes, const cli_options *options) {
 static void say_unblended(const glyph_note *notes, int count, const cli_options *options) {
     char glyphs[LINE_ROOM];
     bool two = options->font_count == 2;
-    list_glyphs(notes, count, options->fonts[0], glyphs, sizeof glyphs);
+    list_glyphs(notes, count, glyphs, sizeof glyphs);
     say("%d glyph%s that %s %s not stay%s as in %s: %s", count, count == 1 ? "" : "s",
         two ? options->fonts[1] : "the other fonts", two ? "has" : "have", count == 1 ? "s" : "",
         options->fonts[0], glyphs);

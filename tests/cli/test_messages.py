@@ -60,9 +60,8 @@ class Glyphs(cli.Test):
     def test_form(self):
         """A blank form goes with no inked one, which stays."""
         a, b = self.font('a.ttf', []), self.font('b.ttf', ['B.alt'])
-        number = ttLib.TTFont(self.path(a)).getGlyphID('B.alt')
         self.assertEqual(self.made('blend', a, b, '-o', 'x.ttf'),
-                         [f'morphotype: 1 glyph that {b} has not stays as in {a}: /B.alt (glyph {number} of {a})'])
+                         [f'morphotype: 1 glyph that {b} has not stays as in {a}: /B.alt'])
 
     def test_font(self):
         a, b = self.font('a.ttf', ['A']), self.font('b.ttf', ['B'])
@@ -97,7 +96,7 @@ class Glyphs(cli.Test):
         self.assertTrue(said[-1].startswith('morphotype: 15 glyphs that b.ttf has not stay as in a.ttf: “C” (U+0043), '), said)
         self.assertTrue(said[-1].endswith(' and 7 more'), said)
         said = self.made('blend', a, b, '--glyphs', 'first', '-v', '-o', 'x.ttf')
-        self.assertTrue(any('/B.alt (glyph' in line for line in said), said)
+        self.assertTrue(any(line.endswith(': /B.alt') for line in said), said)
 
     def test_left_out_tables_of_a_row_are_one_line(self):
         said = self.made('variable', cli.SANS_BOLD, cli.SERIF, cli.SERIF, cli.SERIF, '--text', 'A', '-o', 'x.ttf')
