@@ -155,6 +155,17 @@ class Places(Blended):
                 self.assertLessEqual(abs(x.tables['hmtx'][x.order[glyph]][0] - wanted.width), 1)
                 self.assertGreater(drawn.numberOfContours, 0)
 
+    def test_pairs_without_names(self):
+        """Larger glyphs go by their order, parts by their places, where the second font's glyphs have no names."""
+        nameless = ttLib.TTFont(self.blend(1))
+        nameless['post'].formatType = 3
+        nameless.save(self.path('b.ttf'))
+        said = self.made('blend', self.blend(0), self.path('b.ttf'), '--text', '()', '-o', 'y.ttf', '--at', '1')
+        self.assertFalse([line for line in said if ' as in ' in line], said)
+        with Source(self.blend(1)) as b, Source(self.path('y.ttf')) as y:
+            for read in Source.variants, Source.parts:
+                self.assertEqual(read(y, '(', UP), read(b, '(', UP))
+
     def test_the_sanitizer_and_fonttools_accept_it(self):
         for place in self.PLACES:
             subprocess.run(['ots-sanitize', self.blend(place)], check=True, stdout=subprocess.DEVNULL)
@@ -302,7 +313,7 @@ class Sources(Blended):
 class Chromium(Blended):
     """Formulas in MathML (https://www.w3.org/TR/mathml-core/, "Layout of operators")."""
 
-    SIZE = 40
+    SIZE = 24
     HEIGHTS = 0.8, 1.6, 2.3, 4, 6 # of what stands between the parentheses, em
 
     def setUp(self):
