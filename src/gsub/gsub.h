@@ -16,7 +16,7 @@ enum {
     MT_GSUB_REVERSE = 8, /* a single one, from the end of the text, in a context */
 };
 
-/* These glyphs become those: one becomes one, several in a row, or one of several; or several become one. */
+/* These glyphs become those: one becomes one, several in a row, none, or one of several; or several become one. */
 typedef struct mt_substitution {
     uint16_t *glyphs; /* the inputs, then the outputs */
     uint16_t inputs, outputs;

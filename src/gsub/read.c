@@ -25,7 +25,7 @@ static mt_status add(mt_filling *filling, unsigned first, mt_bytes more, unsigne
     mt_gsub_reader *reader = filling->reader;
     mt_gsub_subtable *subtable = filling->subtable;
     size_t count = (size_t)inputs + outputs;
-    if (inputs == 0 || outputs == 0 || first >= (unsigned)reader->glyph_count) return MT_OK;
+    if (inputs == 0 || first >= (unsigned)reader->glyph_count) return MT_OK;
     if (!mt_ot_has(more, 0, 2 * (size_t)(inputs - 1)) || !mt_ot_has(to, 0, 2 * (size_t)outputs)) return MT_OK;
     reader->left -= (int64_t)count;
     if (reader->left < 0) return MT_OK;

@@ -1,9 +1,10 @@
-"""Lookups that have no end: a font whose contexts call each other in a circle or too deep, or whose substitutions make a text
-longer and longer, is refused by name; one that stays within bounds is blended."""
+"""Lookups out of the ordinary. Without an end: a font whose contexts call each other in a circle or too deep, or whose substitutions
+make a text longer and longer, is refused by name; one that stays within bounds is blended. And one that takes glyphs away."""
 
-import sys
+import subprocess
 
 import cli
+import harfbuzz
 from fontTools import ttLib
 from fontTools.feaLib import builder
 
@@ -11,7 +12,7 @@ TEXT = 'abci'
 LEVELS = 64 # HarfBuzz follows no more (HB_MAX_NESTING_LEVEL)
 
 
-class Endless(cli.Test):
+class Lookups(cli.Test):
     """Each font has the same few glyphs, and lookups of its own."""
 
     def setUp(self):
@@ -29,6 +30,10 @@ class Endless(cli.Test):
             change(font)
         font.save(self.path(name))
         return name
+
+
+class Endless(Lookups):
+    """Circles, deep chains, growth."""
 
     @staticmethod
     def chain(tag, levels):
@@ -74,6 +79,19 @@ class Endless(cli.Test):
     def test_growth(self):
         self.assert_refused(self.font('grows.ttf', self.doublings(40)))
         self.made('blend', self.font('long.ttf', self.doublings(5)), self.plain, '-o', 'x.ttf')
+
+
+class Nothing(Lookups):
+    """A multiple substitution by no glyph takes the glyph away, as HarfBuzz has it."""
+
+    def test_taken_away(self):
+        font = self.font('away.ttf', 'lookup AWAY { sub b by NULL; } AWAY; feature ccmp { sub a b\' lookup AWAY c; } ccmp;')
+        self.made('blend', font, self.plain, '--at', '0,1', '-o', 'x.ttf')
+        for path in (font, 'x-0.ttf', 'x-1.ttf'):
+            order = ttLib.TTFont(self.path(path)).getGlyphOrder()
+            named = lambda text: [order[number] for number, *_ in harfbuzz.shape(self.path(path), text)]
+            self.assertEqual([len(named('abc')), len(named('bab'))], [2, 3], path)
+        subprocess.run(['ots-sanitize', self.path('x-0.ttf')], check=True, stdout=subprocess.DEVNULL)
 
 
 if __name__ == '__main__':
