@@ -137,7 +137,7 @@ class Pictures(Named):
     def test_a_glyph_without_a_partner(self):
         result = self.run_program('inspect', *FONTS, '--text', '/C.sc A', '--json')
         self.assertEqual(result.stderr.decode().count('\n'), 1)
-        self.assertIn('1 glyph that b.ttf has not stays as in a.ttf: /C.sc (glyph ', result.stderr.decode())
+        self.assertIn('1 glyph that b.ttf has not stays as in a.ttf: /C.sc\n', result.stderr.decode())
         alone, paired = json.loads(result.stdout)['glyphs']
         self.assertEqual((set(alone), alone['glyph']), ({'glyph', 'a'}, '/C.sc'))
         self.assertIn('b', paired)
