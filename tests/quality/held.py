@@ -186,7 +186,7 @@ def overlap(a, b):
 # ---- the tests ----------------------------------------------------------------------------------------------------------------
 
 class Topology(unittest.TestCase):
-    FLOOR = 205 / 209 # measured: 207 of 209
+    FLOOR = 206 / 210 # measured: 208 of 210
 
     def test_counts_keep_in_the_range_of_the_ends(self):
         fonts = [f'{NOTO / name}#{SIMPLIFIED}' for name in ('NotoSansCJK-Bold.ttc', 'NotoSerifCJK-Regular.ttc')]
@@ -196,7 +196,7 @@ class Topology(unittest.TestCase):
             chars.write_text(han, encoding='utf-8')
             summary = topology.report(os.environ['MORPHOTYPE'], *fonts, chars, 'joint', [])['summary']
         print(summary)
-        self.assertEqual((len(han), summary['glyphs'], summary['failed']), (209, 209, 0))
+        self.assertEqual((len(han), summary['glyphs'], summary['failed']), (209, 210, 0)) # one has a variation sequence
         self.assertGreaterEqual(summary['counts_in_range'], self.FLOOR)
 
 
@@ -207,10 +207,8 @@ class Letters(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix='morphotype-test-') as directory:
             chars = pathlib.Path(directory) / 'latin.txt'
             chars.write_text(LATIN, encoding='utf-8')
-            report = topology.report(os.environ['MORPHOTYPE'], a, b, chars, 'joint', [])
-        letters = {glyph['character'] for glyph in report['glyphs'] if 'character' in glyph}
-        self.assertEqual(letters, set(LATIN))
-        self.assertEqual((report['summary']['flagged'], report['summary']['failed']), (0, 0)) # with ligatures
+            summary = topology.report(os.environ['MORPHOTYPE'], a, b, chars, 'joint', [])['summary']
+        self.assertEqual((summary['glyphs'], summary['flagged'], summary['failed']), (len(LATIN), 0, 0))
 
     def test_dejavu(self):
         self.hold(DEJAVU / 'DejaVuSans-Bold.ttf', DEJAVU / 'DejaVuSerif.ttf')

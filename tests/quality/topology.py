@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """topology.py MORPHOTYPE --chars FILE A B [A B …] [-- OPTIONS FOR REPORT …]
 Runs `morphotype report` for each pair of fonts, with both methods, over the characters of the file (as --chars of the program
-reads it), and prints a Markdown table: how many glyphs keep their counts of components and holes in the range of the ends'
+reads it), without the forms that their layout makes of them, and prints a Markdown table: how many glyphs keep their counts of components and holes in the range of the ends'
 at every place, and how many their ink within the limit of it. Glyphs that fail count as out of both.
 """
 import json, os, subprocess, sys, tempfile
@@ -10,7 +10,7 @@ import json, os, subprocess, sys, tempfile
 def report(program, a, b, chars, method, extra):
     with tempfile.TemporaryDirectory() as directory:
         out = os.path.join(directory, 'x.json')
-        command = [program, 'report', a, b, '--chars', chars, '--method', method, '-o', out, '-q', *extra]
+        command = [program, 'report', a, b, '--chars', chars, '--no-layout', '--method', method, '-o', out, '-q', *extra]
         run = subprocess.run(command, capture_output=True, text=True)
         if run.returncode:
             sys.exit(run.stderr.strip() or f'{program} ended with {run.returncode}')
