@@ -69,10 +69,10 @@ static bool find_own(const mt_naming *naming, const char *name, uint32_t *glyph)
 
 static bool find_number(const mt_naming *naming, const char *name, uint32_t *glyph) {
     long count = mt_font_glyph_count(naming->font), number = 0;
-    const char *digits = name + 3;
-    if (strncmp(name, "gid", 3) != 0 || !*digits || digits[strspn(digits, "0123456789")]) return false;
-    for (; *digits && number < count; digits++) number = 10 * number + (*digits - '0');
-    if (number >= count) return false;
+    if (strncmp(name, "gid", 3) != 0) return false;
+    const char *first = name + 3, *digit = first;
+    for (; *digit >= '0' && *digit <= '9' && number < count; digit++) number = 10 * number + (*digit - '0');
+    if (digit == first || *digit || number >= count) return false;
     *glyph = (uint32_t)number;
     return true;
 }
