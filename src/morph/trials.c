@@ -16,6 +16,7 @@
 
 #include "geometry/limits.h"
 #include "morph/align/cache.h"
+#include "morph/align/registration.h"
 #include "morph/check/counters.h"
 #include "morph/check/reconnect.h"
 #include "morph/check/separate.h"
@@ -90,12 +91,16 @@ mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *
     mt_alignment_cache *cache = mt_arena_new(arena, 1, sizeof *cache);
     mt_mending best = {morph, params, arena, {.parts = INT_MAX, .ink = INFINITY}, MT_EFFORT};
     if (!cache || !trials.morphs) return MT_NO_MEMORY;
+    mt_settings first = mt_settings_at(0, params);
+    first.cache = cache;
+    mt_status status = mt_register(&morph->a, &morph->b, &first, arena);
+    if (status != MT_OK) return status;
     for (int i = 0; i < mt_settings_count() && mt_mend_goes_on(&best); i++) {
         mt_join_context context = {hints, params, mt_settings_at(i, params)};
         context.settings.cache = cache;
         mt_mending tried = best;
         tried.morph = &trials.morphs[trials.count];
-        mt_status status = join(morph, &context, arena, tried.morph);
+        status = join(morph, &context, arena, tried.morph);
         if (status != MT_OK) return status;
         if (was_tried(&trials, tried.morph)) continue;
         trials.count++;
@@ -104,7 +109,7 @@ mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *
         best.effort = tried.effort;
         if (is_better(tried.error, best.error)) best = tried;
     }
-    mt_status status = best.error.opened > 0 ? mt_keep_counters(&best) : MT_OK;
+    status = best.error.opened > 0 ? mt_keep_counters(&best) : MT_OK;
     if (status == MT_OK) *morph = *best.morph;
     return status;
 }

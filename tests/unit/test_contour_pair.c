@@ -34,9 +34,10 @@ static side side_of(const mt_contour *contour, double step) {
 static mt_contour_pair masters_of(const side *a, const side *b, double tolerance) {
     mt_alignment alignment;
     mt_contour_pair masters;
-    mt_assert_ok(mt_align(&a->samples, mt_ring_box(&a->rings.rings[0]), &b->samples,
-                          mt_ring_box(&b->rings.rings[0]), &(mt_cost_weights){3, 4, 1}, &(mt_links){0},
-                          &arena, &alignment));
+    mt_frame frame_a = mt_frame_of_box(mt_ring_box(&a->rings.rings[0])),
+             frame_b = mt_frame_of_box(mt_ring_box(&b->rings.rings[0]));
+    mt_assert_ok(mt_align(&a->samples, &frame_a, &b->samples, &frame_b, &(mt_cost_weights){3, 4, 2},
+                          &(mt_links){0}, &arena, &alignment));
     mt_assert_ok(mt_contour_pair_fit(&a->samples, &b->samples, &alignment, tolerance, &arena, &masters));
     return masters;
 }

@@ -1,4 +1,5 @@
 #include "geometry/limits.h"
+#include "morph/model/frame.h"
 #include "morph/divide/reconcile.h"
 #include "support/check.h"
 #include "support/corpus.h"
@@ -25,7 +26,8 @@ static int tear_down(void **state) {
 }
 
 static mt_side side_of(mt_shape shape) {
-    return (mt_side){.whole = shape, .shape = shape, .box = mt_shape_box(&shape)};
+    mt_box box = mt_shape_box(&shape);
+    return (mt_side){.whole = shape, .shape = shape, .box = box, .frame = mt_frame_of_box(box)};
 }
 
 static void reconcile(mt_shape a, mt_shape b, mt_cut_side *cut_a, mt_cut_side *cut_b) {

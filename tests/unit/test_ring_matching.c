@@ -27,7 +27,8 @@ static int tear_down(void **state) {
 /* A shape's boundary in its own box, samples 12/1000 em apart, chords up to 300/1000. */
 static mt_boundary boundary_of(const mt_shape *shape) {
     mt_boundary boundary;
-    mt_assert_ok(mt_boundary_of(shape, mt_shape_box(shape), &settings, 300 * UNIT, &arena, &boundary));
+    mt_frame frame = mt_frame_of_box(mt_shape_box(shape));
+    mt_assert_ok(mt_boundary_of(shape, &frame, &settings, 300 * UNIT, &arena, &boundary));
     return boundary;
 }
 

@@ -49,7 +49,7 @@ static mt_ring a_c(int quarters) {
 static mt_status slit(const mt_component *component, const mt_ring **counterpart, mt_component *opened,
                       bool *done) {
     mt_box box = {{0, 0}, {600 * UNIT, 600 * UNIT}};
-    mt_slit_case in = {component, box, counterpart, box};
+    mt_slit_case in = {component, mt_frame_of_box(box), counterpart, mt_frame_of_box(box)};
     return mt_slit(&in, 1, &settings, &arena, opened, done);
 }
 
@@ -140,7 +140,7 @@ static void not_through_wide_ink(void **state) {
     mt_ring open = mt_test_ring_of(&arena, c, 12, UNIT);
     mt_box box = {{0, 0}, {700 * UNIT, 700 * UNIT}};
     const mt_ring *counterpart[] = {&open, NULL};
-    mt_slit_case in = {&component, box, counterpart, box};
+    mt_slit_case in = {&component, mt_frame_of_box(box), counterpart, mt_frame_of_box(box)};
     bool done = true;
     mt_assert_ok(mt_slit(&in, 1, &settings, &arena, &opened, &done));
     assert_false(done);
@@ -197,8 +197,8 @@ static void both_sides_of_a_slit_are_alike(void **state) {
         mt_subject subject = {"both_sides_of_a_slit_are_alike", n, {&component}};
         mt_shape whole = mt_test_shape_of(&arena, &component), shares;
         mt_boundary boundary;
-        mt_require(mt_boundary_of(&whole, mt_shape_box(&whole), &settings, 300 * UNIT, &arena, &boundary) ==
-                       MT_OK,
+        mt_frame frame = mt_frame_of_box(mt_shape_box(&whole));
+        mt_require(mt_boundary_of(&whole, &frame, &settings, 300 * UNIT, &arena, &boundary) == MT_OK,
                    &subject);
         size_t triangles = (size_t)boundary.meshes[0].triangle_count;
         bool *cut = mt_arena_new(&arena, 3 * triangles, sizeof *cut);

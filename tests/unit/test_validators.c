@@ -117,9 +117,13 @@ static void alignments(void **state) {
     mt_alignment alignment;
     mt_params params = mt_params_default();
     mt_settings settings = mt_settings_at(0, &params);
-    mt_box box = mt_ring_box(&component.rings[0]);
+    mt_frame frame = mt_frame_of_box(mt_ring_box(&component.rings[0]));
+    refuses(mt_frame_is_valid(&frame), frame.box.min.x, frame.box.max.x + 1);
+    refuses(mt_frame_is_valid(&frame), frame.y[2], NAN);
+    refuses(mt_frame_is_valid(&frame), frame.heading[3], -1);
     mt_assert_ok(mt_ring_samples_at_least(&component.rings[0], 50, 20, &arena, &samples));
-    mt_assert_ok(mt_align(&samples, box, &samples, box, &settings.align, &(mt_links){0}, &arena, &alignment));
+    mt_assert_ok(
+        mt_align(&samples, &frame, &samples, &frame, &settings.align, &(mt_links){0}, &arena, &alignment));
     refuses(mt_alignment_is_valid(&alignment), alignment.steps[2].a, alignment.steps[2].a + 3);
     refuses(mt_alignment_is_valid(&alignment), alignment.steps[1], alignment.steps[0]);
     refuses(mt_alignment_is_valid(&alignment), alignment.count, 0);
@@ -135,8 +139,8 @@ static void graphs_and_matches(void **state) {
     mt_ring_match match;
     mt_params params = mt_params_default();
     mt_settings settings = mt_settings_at(0, &params);
-    mt_box box = mt_shape_box(&shape);
-    mt_assert_ok(mt_boundary_of(&shape, box, &settings, 20000, &arena, &graph));
+    mt_frame frame = mt_frame_of_box(mt_shape_box(&shape));
+    mt_assert_ok(mt_boundary_of(&shape, &frame, &settings, 20000, &arena, &graph));
     refuses(mt_boundary_is_valid(&graph), graph.first_sample[1], graph.count + 1);
     assert_true(graph.first_chord[graph.count] > 0);
     refuses(mt_boundary_is_valid(&graph), graph.chords[0].to, graph.count);

@@ -28,15 +28,18 @@ static bool same_ring(const mt_ring *p, const mt_ring *q) {
            memcmp(p->marks, q->marks, count * sizeof *p->marks) == 0;
 }
 
-static bool same_box(mt_box a, mt_box b) {
-    return mt_point_equal(a.min, b.min) && mt_point_equal(a.max, b.max);
+static bool same_frame(const mt_frame *a, const mt_frame *b) {
+    bool same = mt_point_equal(a->box.min, b->box.min) && mt_point_equal(a->box.max, b->box.max);
+    for (int i = 0; i < 4; i++)
+        same = same && a->x[i] == b->x[i] && a->y[i] == b->y[i] && a->heading[i] == b->heading[i];
+    return same;
 }
 
 static bool same_key(const mt_cache_key *a, const mt_cache_key *b) {
     return a->joined == b->joined && a->weights.direction == b->weights.direction &&
            a->weights.distance == b->weights.distance && a->weights.corner == b->weights.corner &&
-           same_box(a->box_p, b->box_p) && same_box(a->box_q, b->box_q) && same_ring(a->p, b->p) &&
-           same_ring(a->q, b->q);
+           same_frame(&a->frame_p, &b->frame_p) && same_frame(&a->frame_q, &b->frame_q) &&
+           same_ring(a->p, b->p) && same_ring(a->q, b->q);
 }
 
 const mt_cache_entry *mt_alignment_cache_find(const mt_alignment_cache *cache, const mt_cache_key *key) {

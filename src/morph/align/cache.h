@@ -5,13 +5,14 @@
 #include <stdint.h>
 
 #include "geometry/ring.h"
+#include "morph/model/frame.h"
 #include "morph/model/morph.h"
 #include "morph/model/settings.h"
 
 /* Everything that an alignment without pins depends on. */
 typedef struct mt_cache_key {
     const mt_ring *p, *q;
-    mt_box box_p, box_q;
+    mt_frame frame_p, frame_q;
     mt_cost_weights weights;
     bool joined; /* aligned finely and fitted into a contour pair; otherwise only the cost was found */
 } mt_cache_key;
@@ -31,7 +32,7 @@ struct mt_alignment_cache {
     mt_cache_entry *buckets[MT_CACHE_BUCKETS];
 };
 
-/* The entry with the same points, marks, boxes and weights; NULL where there is none, or `cache` is NULL. */
+/* The entry with the same points, marks, frames and weights; NULL where there is none, or `cache` is NULL. */
 const mt_cache_entry *mt_alignment_cache_find(const mt_alignment_cache *cache, const mt_cache_key *key);
 
 /* Adds an entry; `pair` is NULL for a cost alone. Does nothing where `cache` is NULL. MT_NO_MEMORY. */

@@ -1,33 +1,12 @@
 /* The cost of pairing a sample of A with a sample of B, from the samples' views:
  *
  *     cost = direction · (2 − in·in' − out·out') / 4       unit vectors: 0 where both head alike, 1 where opposite
- *          + distance · |place − place'|                   places relative to their own glyph's box
+ *          + distance · |place − place'|                   places as seen in their own glyph's frame
  *          + corner · (1 − turn·turn') / 2                 how differently they turn
  *
  * It is symmetric in A and B, and at least 0. Against m samples at once it takes O(m), in float, over columns, so that the compiler
  * makes vector instructions of it. */
 #include "morph/align/cost.h"
-
-#define SIDE_LEAST 0.35 /* of the box's other side: a shorter side counts as this long */
-
-/* The side of a box to which places are relative. A thin box counts as thicker: a stem that is the whole glyph in one font is only
- * its middle in a font with serifs. */
-static double side_of(double side, double across) {
-    return fmax(side, SIDE_LEAST * across);
-}
-
-mt_sample_view mt_sample_view_of(const mt_ring_sample *s, mt_box box) {
-    double width = mt_box_width(box), height = mt_box_height(box);
-    double x = s->x - box.min.x - width / 2, y = s->y - box.min.y - height / 2;
-    return (mt_sample_view){.x = x / side_of(width, height),
-                            .y = y / side_of(height, width),
-                            .in_x = cos(s->in),
-                            .in_y = sin(s->in),
-                            .out_x = cos(s->out),
-                            .out_y = sin(s->out),
-                            .turn_x = cos(s->out - s->in),
-                            .turn_y = sin(s->out - s->in)};
-}
 
 mt_status mt_columns_of(const mt_sample_view *views, int count, mt_arena *arena, mt_columns *columns) {
     size_t m = (size_t)count;

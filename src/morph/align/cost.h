@@ -3,17 +3,8 @@
 
 #include <math.h>
 
-#include "morph/align/samples.h"
+#include "morph/align/view.h"
 #include "morph/model/settings.h"
-
-/* A sample as the cost of a step sees it: its place relative to the glyph's box, and its headings as unit vectors. */
-typedef struct mt_sample_view {
-    double x, y;
-    double in_x, in_y, out_x, out_y;
-    double turn_x, turn_y; /* the direction out, relative to the direction in */
-} mt_sample_view;
-
-mt_sample_view mt_sample_view_of(const mt_ring_sample *sample, mt_box box);
 
 /* The cost of pairing two samples. */
 static inline double mt_step_cost(const mt_cost_weights *w, const mt_sample_view *a,

@@ -12,14 +12,14 @@
 #define APART_MOST 0.35 /* between the middles of two rings, at most, in boxes */
 #define FORBIDDEN 100.0 /* cost of a pair that may not be: more than any alignment costs */
 
-/* The distance between the middles of two rings, each relative to its glyph's box. */
-static double apart(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q) {
+/* The distance between the middles of two rings, each seen in its frame. */
+static double apart(const mt_ring *p, const mt_frame *frame_p, const mt_ring *q, const mt_frame *frame_q) {
     mt_box a = mt_ring_box(p), b = mt_ring_box(q);
-    double x = (a.min.x + (double)a.max.x - 2.0 * box_p.min.x) / mt_box_width(box_p) -
-               (b.min.x + (double)b.max.x - 2.0 * box_q.min.x) / mt_box_width(box_q);
-    double y = (a.min.y + (double)a.max.y - 2.0 * box_p.min.y) / mt_box_height(box_p) -
-               (b.min.y + (double)b.max.y - 2.0 * box_q.min.y) / mt_box_height(box_q);
-    return hypot(x, y) / 2;
+    mt_sample_view u =
+        mt_view_of_place(frame_p, (a.min.x + (double)a.max.x) / 2, (a.min.y + (double)a.max.y) / 2);
+    mt_sample_view v =
+        mt_view_of_place(frame_q, (b.min.x + (double)b.max.x) / 2, (b.min.y + (double)b.max.y) / 2);
+    return hypot(u.x - v.x, u.y - v.y);
 }
 
 static mt_status find_cost(const mt_cache_key *key, double flatness, mt_arena *arena, double *cost) {
@@ -29,15 +29,16 @@ static mt_status find_cost(const mt_cache_key *key, double flatness, mt_arena *a
     mt_status status = mt_ring_samples_at_least(key->p, flatness, SAMPLES, arena, &a);
     if (status == MT_OK) status = mt_ring_samples_at_least(key->q, flatness, SAMPLES, arena, &b);
     if (status == MT_OK)
-        status = mt_align(&a, key->box_p, &b, key->box_q, &key->weights, &(mt_links){0}, arena, &alignment);
+        status =
+            mt_align(&a, &key->frame_p, &b, &key->frame_q, &key->weights, &(mt_links){0}, arena, &alignment);
     if (status == MT_OK) *cost = alignment.cost;
     mt_arena_rewind(arena, before);
     return status;
 }
 
-mt_status mt_pair_cost(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q,
+mt_status mt_pair_cost(const mt_ring *p, const mt_frame *frame_p, const mt_ring *q, const mt_frame *frame_q,
                        const mt_settings *settings, mt_arena *arena, double *cost) {
-    mt_cache_key key = {p, q, box_p, box_q, settings->align, false};
+    mt_cache_key key = {p, q, *frame_p, *frame_q, settings->align, false};
     const mt_cache_entry *found = mt_alignment_cache_find(settings->cache, &key);
     if (found) {
         *cost = found->cost;
@@ -62,8 +63,8 @@ static mt_status cost_all(const mt_ring_list *a, const mt_ring_list *b, double m
         for (int j = 0; status == MT_OK && j < p->columns; j++) {
             double *cost = &p->costs[(size_t)i * (size_t)p->columns + (size_t)j];
             *cost = INFINITY;
-            if (apart(a->rings[i], a->box, b->rings[j], b->box) > APART_MOST) continue;
-            status = mt_pair_cost(a->rings[i], a->box, b->rings[j], b->box, settings, arena, cost);
+            if (apart(a->rings[i], &a->frame, b->rings[j], &b->frame) > APART_MOST) continue;
+            status = mt_pair_cost(a->rings[i], &a->frame, b->rings[j], &b->frame, settings, arena, cost);
             if (*cost > most) *cost = INFINITY;
         }
     return status;
@@ -105,8 +106,9 @@ mt_status mt_pair_rings(const mt_ring_list *a, const mt_ring_list *b, double mos
     return status == MT_OK ? assign_rest(&costs, most, arena, partner_a, partner_b) : status;
 }
 
-mt_status mt_outer_rings(const mt_shape *shape, mt_box box, mt_arena *arena, mt_ring_list *list) {
-    *list = (mt_ring_list){shape->count, mt_arena_new(arena, (size_t)shape->count, sizeof(mt_ring *)), box};
+mt_status mt_outer_rings(const mt_shape *shape, const mt_frame *frame, mt_arena *arena, mt_ring_list *list) {
+    *list =
+        (mt_ring_list){shape->count, mt_arena_new(arena, (size_t)shape->count, sizeof(mt_ring *)), *frame};
     if (!list->rings) return MT_NO_MEMORY;
     for (int i = 0; i < shape->count; i++) list->rings[i] = &shape->components[i].rings[0];
     return MT_OK;

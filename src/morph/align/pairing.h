@@ -3,11 +3,11 @@
 
 #include "morph/align/align.h"
 
-/* Rings of one glyph, and its box. */
+/* Rings of one glyph, and its frame. */
 typedef struct mt_ring_list {
     int count;
     const mt_ring **rings;
-    mt_box box;
+    mt_frame frame;
 } mt_ring_list;
 
 /* Pairs rings so that the costs of aligning all pairs have the least sum, and none is above `most`. partner_a[i] is the ring of B
@@ -17,8 +17,8 @@ mt_status mt_pair_rings(const mt_ring_list *a, const mt_ring_list *b, double mos
                         const mt_settings *settings, mt_arena *arena, int *partner_a, int *partner_b);
 
 /* The mean step cost of aligning two rings over coarse samples. MT_NO_MEMORY, MT_TOO_LARGE. */
-mt_status mt_pair_cost(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q,
+mt_status mt_pair_cost(const mt_ring *p, const mt_frame *frame_p, const mt_ring *q, const mt_frame *frame_q,
                        const mt_settings *settings, mt_arena *arena, double *cost);
 
-/* The outer rings of a shape's components, in its glyph's box. MT_NO_MEMORY. */
-mt_status mt_outer_rings(const mt_shape *shape, mt_box box, mt_arena *arena, mt_ring_list *list);
+/* The outer rings of a shape's components, in its glyph's frame. MT_NO_MEMORY. */
+mt_status mt_outer_rings(const mt_shape *shape, const mt_frame *frame, mt_arena *arena, mt_ring_list *list);

@@ -70,7 +70,7 @@ static mt_status view_ring(const mt_ring *ring, double flatness, int first, mt_a
                                  .y = ring->points[i].y,
                                  .in = mt_trace_in(&trace, i),
                                  .out = mt_trace_out(&trace, i)};
-        boundary->views[first + i] = mt_sample_view_of(&sample, boundary->box);
+        boundary->views[first + i] = mt_sample_view_of(&sample, &boundary->frame);
         boundary->places[first + i] = ring->points[i];
         boundary->length[first + i] = trace.length[i] / MT_EM;
         boundary->along[first + i] = i ? boundary->along[first + i - 1] + boundary->length[first + i - 1] : 0;
@@ -264,9 +264,9 @@ static mt_status start_boundary(const mt_shape *shape, double step, mt_arena *ar
                                                                                              : MT_NO_MEMORY;
 }
 
-mt_status mt_boundary_of(const mt_shape *shape, mt_box box, const mt_settings *settings, double reach,
-                         mt_arena *arena, mt_boundary *boundary) {
-    mt_boundary made = {.box = box};
+mt_status mt_boundary_of(const mt_shape *shape, const mt_frame *frame, const mt_settings *settings,
+                         double reach, mt_arena *arena, mt_boundary *boundary) {
+    mt_boundary made = {.frame = *frame};
     double step = mt_grid_units(settings->step);
     mt_status status = start_boundary(shape, step, arena, &made);
     for (int c = 0; status == MT_OK && c < shape->count; c++)

@@ -17,7 +17,7 @@ typedef struct mt_chord {
 } mt_chord;
 
 typedef struct mt_boundary {
-    mt_box box; /* of the glyph */
+    mt_frame frame; /* of the glyph */
     int component_count;
     mt_mesh *meshes;   /* of each component, its long edges divided */
     bool **drawn;      /* of each component's mesh: which vertices its rings had before */
@@ -34,10 +34,10 @@ typedef struct mt_boundary {
     mt_chord *chords;
 } mt_boundary;
 
-/* The boundary of a shape in its glyph's box, with samples as close as the settings' step, the chords up to `reach` grid units long,
+/* The boundary of a shape in its glyph's frame, with samples as close as the settings' step, the chords up to `reach` grid units long,
  * and jumps if the settings have them. MT_NO_MEMORY, MT_TOO_LARGE, MT_BAD_GEOMETRY. */
-mt_status mt_boundary_of(const mt_shape *shape, mt_box box, const mt_settings *settings, double reach,
-                         mt_arena *arena, mt_boundary *boundary);
+mt_status mt_boundary_of(const mt_shape *shape, const mt_frame *frame, const mt_settings *settings,
+                         double reach, mt_arena *arena, mt_boundary *boundary);
 
 /* The sample that a chord leaves, and the chord back over the same diagonal. */
 int mt_chord_source(const mt_boundary *boundary, int chord);

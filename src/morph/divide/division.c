@@ -68,7 +68,7 @@ static mt_status match_both_ways(mt_division *sides, const mt_cost_weights *weig
 static mt_status holes_of(const mt_side *side, mt_arena *arena, mt_ring_list *holes, int *ring_of,
                           bool *outer) {
     int ring = 0;
-    *holes = (mt_ring_list){0, NULL, side->box};
+    *holes = (mt_ring_list){0, NULL, side->frame};
     for (int k = 0; k < side->shape.count; k++) ring += side->shape.components[k].count;
     holes->rings = mt_arena_new(arena, (size_t)ring, sizeof(mt_ring *));
     if (!holes->rings) return MT_NO_MEMORY;
@@ -237,8 +237,9 @@ static mt_status pair_parts(mt_division *sides, const mt_hints *hints, const mt_
                             mt_arena *arena) {
     mt_cut_side *a = &sides[0].made, *b = &sides[1].made;
     mt_ring_list in_a, in_b;
-    mt_status status = mt_outer_rings(&sides[0].made.parts, sides[0].boundary.box, arena, &in_a);
-    if (status == MT_OK) status = mt_outer_rings(&sides[1].made.parts, sides[1].boundary.box, arena, &in_b);
+    mt_status status = mt_outer_rings(&sides[0].made.parts, &sides[0].boundary.frame, arena, &in_a);
+    if (status == MT_OK)
+        status = mt_outer_rings(&sides[1].made.parts, &sides[1].boundary.frame, arena, &in_b);
     if (status != MT_OK) return status;
     for (int i = 0; i < a->parts.count; i++) a->partner[i] = -1;
     for (int i = 0; i < b->parts.count; i++) b->partner[i] = -1;
@@ -286,11 +287,11 @@ static mt_status is_better_whole(const mt_unpaired_cut *f, const mt_settings *se
     if (status != MT_OK) return status;
     const mt_ring *whole = &parts.components[part_of[f->edge / 3]].rings[0],
                   *alone = &division->made.parts.components[f->there].rings[0];
-    status =
-        mt_pair_cost(alone, division->boundary.box, goal, f->other->boundary.box, settings, arena, &apart);
+    status = mt_pair_cost(alone, &division->boundary.frame, goal, &f->other->boundary.frame, settings, arena,
+                          &apart);
     if (status == MT_OK)
-        status = mt_pair_cost(whole, division->boundary.box, goal, f->other->boundary.box, settings, arena,
-                              &together);
+        status = mt_pair_cost(whole, &division->boundary.frame, goal, &f->other->boundary.frame, settings,
+                              arena, &together);
     *better = together < apart;
     return status;
 }
@@ -346,8 +347,8 @@ static mt_status undo_cut(mt_division *sides, const mt_settings *settings, mt_ar
 
 static mt_status start_division(const mt_side *side, const mt_settings *settings, mt_arena *arena,
                                 mt_division *division) {
-    mt_status status = mt_boundary_of(&side->shape, side->box, settings, mt_grid_units(MT_CHORD_REACH), arena,
-                                      &division->boundary);
+    mt_status status = mt_boundary_of(&side->shape, &side->frame, settings, mt_grid_units(MT_CHORD_REACH),
+                                      arena, &division->boundary);
     if (status != MT_OK) return status;
     size_t chords = (size_t)division->boundary.first_chord[division->boundary.count],
            rings = (size_t)division->boundary.ring_count;

@@ -38,7 +38,8 @@ static mt_status is_poor_match(const mt_round_side sides[2], int i, const mt_set
     double cost = 0;
     const mt_ring *p = &sides[0].made.parts.components[i].rings[0],
                   *q = &sides[1].made.parts.components[sides[0].made.partner[i]].rings[0];
-    mt_status status = mt_pair_cost(p, sides[0].side->box, q, sides[1].side->box, settings, arena, &cost);
+    mt_status status =
+        mt_pair_cost(p, &sides[0].side->frame, q, &sides[1].side->frame, settings, arena, &cost);
     *poor = cost > POOR_MATCH;
     return status;
 }
@@ -90,7 +91,7 @@ static mt_status hints_left(const mt_hints *hints, const mt_round_side sides[2],
 }
 
 static mt_status side_left(const mt_round_side *r, mt_arena *arena, mt_side *side) {
-    *side = (mt_side){.box = r->side->box};
+    *side = (mt_side){.box = r->side->box, .frame = r->side->frame};
     side->shape.components = mt_arena_new(arena, (size_t)r->left_count, sizeof(mt_component));
     if (!side->shape.components) return MT_NO_MEMORY;
     for (int i = 0; i < r->made.parts.count; i++)
@@ -156,8 +157,8 @@ static mt_status do_rounds(const mt_side *a, const mt_side *b, const mt_hints *h
 static mt_status pair_rest(const mt_side *a, const mt_side *b, const mt_settings *settings, mt_arena *arena,
                            mt_cut_side *cuts[2]) {
     mt_ring_list in_a, in_b;
-    mt_status status = mt_outer_rings(&cuts[0]->parts, a->box, arena, &in_a);
-    if (status == MT_OK) status = mt_outer_rings(&cuts[1]->parts, b->box, arena, &in_b);
+    mt_status status = mt_outer_rings(&cuts[0]->parts, &a->frame, arena, &in_a);
+    if (status == MT_OK) status = mt_outer_rings(&cuts[1]->parts, &b->frame, arena, &in_b);
     if (status != MT_OK) return status;
     return mt_pair_rings(&in_a, &in_b, INFINITY, settings, arena, cuts[0]->partner, cuts[1]->partner);
 }

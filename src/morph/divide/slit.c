@@ -65,7 +65,7 @@ mt_status mt_slit(const mt_slit_case *slit, int hole, const mt_settings *setting
     mt_boundary boundary;
     mt_shape whole = {1, (mt_component *)slit->component};
     mt_status status =
-        mt_boundary_of(&whole, slit->box, settings, mt_grid_units(MT_CHORD_REACH), arena, &boundary);
+        mt_boundary_of(&whole, &slit->frame, settings, mt_grid_units(MT_CHORD_REACH), arena, &boundary);
     if (status != MT_OK) return status;
     mt_slit_candidates candidates = shortest(&boundary, hole, slit->counterpart);
     double least = INFINITY;
@@ -76,10 +76,10 @@ mt_status mt_slit(const mt_slit_case *slit, int hole, const mt_settings *setting
         double before = 0, after = 0;
         status = cut_along(&boundary, candidates.chords[i], arena, &made, &ring);
         if (status == MT_OK)
-            status = mt_pair_cost(&slit->component->rings[to], slit->box, goal, slit->other_box, settings,
-                                  arena, &before);
+            status = mt_pair_cost(&slit->component->rings[to], &slit->frame, goal, &slit->other_frame,
+                                  settings, arena, &before);
         if (status == MT_OK)
-            status = mt_pair_cost(ring, slit->box, goal, slit->other_box, settings, arena, &after);
+            status = mt_pair_cost(ring, &slit->frame, goal, &slit->other_frame, settings, arena, &after);
         if (status != MT_OK || after >= before || after - before >= least) continue;
         least = after - before;
         *opened = made;

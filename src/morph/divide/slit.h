@@ -6,9 +6,9 @@
 /* A component with a partner, and the partner's ring for each of its rings. */
 typedef struct mt_slit_case {
     const mt_component *component;
-    mt_box box;
+    mt_frame frame;
     const mt_ring **counterpart; /* of each ring of the component; NULL: none */
-    mt_box other_box;
+    mt_frame other_frame;
 } mt_slit_case;
 
 /* Slits the component open between hole `hole`, which has no counterpart, and a ring that has one, where the joined ring aligns with

@@ -24,6 +24,8 @@
 #define STRAIGHT_SHARE 0.1
 /* A line of at least this length in both rings stays a line, 1/1000 em: the eye sees it bend. */
 #define LINE_LEAST 30.0
+/* One ring waits at a corner while the other goes further than this: shorter, it would be a stub, 1/1000 em. */
+#define WAIT_LEAST 2.0
 
 /* An extremum of one master is paired with one of the other at most so many steps further on, whose heading differs by less than so
  * many radians. */
@@ -92,13 +94,23 @@ static mt_status pair_extrema(mt_fit_state *f, mt_arena *arena, mt_alignment *ma
 
 /* ---- ends of runs ---------------------------------------------------------------------------------------- */
 
-/* Whether the other master has a corner at a step at which this one is at the sample of step k, the first or last of these steps. */
+static double length_between(const mt_fit_state *f, int master, int from, int to) {
+    double length = 0;
+    for (int k = from; k < to; k++) {
+        const mt_ring_sample *p = sample_at(f, master, k), *q = sample_at(f, master, k + 1);
+        length += hypot(q->x - p->x, q->y - p->y);
+    }
+    return length;
+}
+
+/* Whether the other master has a corner at a step at which this one is at the sample of step k, the first or last of these steps; if the
+ * other goes hardly anywhere meanwhile, only the first is. */
 static bool partner_has_corner(const mt_fit_state *f, int master, int k, bool *first, bool *last) {
     int n = f->alignment->count, from = k + n, to = k + n;
     while (from > k && waits(f, master, from - 1)) from--;
     while (to < k + 2 * n && waits(f, master, to)) to++;
     *first = from == k + n;
-    *last = to == k + n;
+    *last = to == k + n && length_between(f, 1 - master, from, to) >= mt_grid_units(WAIT_LEAST);
     for (int i = from; i <= to; i++)
         if (sample_at(f, 1 - master, i)->corner) return true;
     return false;
@@ -115,15 +127,6 @@ static bool is_corner(const mt_fit_state *f, int k) {
 /* Whether both rings follow a line from step k to the next. */
 static bool is_line(const mt_fit_state *f, int k) {
     return (waits(f, 0, k) || sample_at(f, 0, k)->line) && (waits(f, 1, k) || sample_at(f, 1, k)->line);
-}
-
-static double length_between(const mt_fit_state *f, int master, int from, int to) {
-    double length = 0;
-    for (int k = from; k < to; k++) {
-        const mt_ring_sample *p = sample_at(f, master, k), *q = sample_at(f, master, k + 1);
-        length += hypot(q->x - p->x, q->y - p->y);
-    }
-    return length;
 }
 
 /* Runs end at corners, and at both ends of a line that both rings follow for LINE_LEAST. */

@@ -80,7 +80,7 @@ static mt_part *part(mt_joining *j, int side) {
 static mt_status holes_of(mt_joining *j, int side, mt_ring_list *list) {
     const mt_component *c = part(j, side)->component;
     *list = (mt_ring_list){c->count - 1, mt_arena_new(j->arena, (size_t)c->count, sizeof(mt_ring *)),
-                           part(j, side)->box};
+                           part(j, side)->frame};
     if (!list->rings) return MT_NO_MEMORY;
     for (int i = 1; i < c->count; i++) list->rings[i - 1] = &c->rings[i];
     return MT_OK;
@@ -114,7 +114,7 @@ static mt_status open_one(mt_joining *j, int side, const mt_hole_pairs *pairs, b
     if (!counterpart) return MT_NO_MEMORY;
     for (int i = 0; i < rings; i++)
         if (i == 0 || partner[i]) counterpart[i] = &other->component->rings[i == 0 ? 0 : partner[i]];
-    mt_slit_case slit = {own->component, own->box, counterpart, other->box};
+    mt_slit_case slit = {own->component, own->frame, counterpart, other->frame};
     mt_status status = MT_OK;
     for (int i = 1; status == MT_OK && i < rings && !*opened; i++) {
         mt_component *made = mt_arena_new(j->arena, 1, sizeof *made);

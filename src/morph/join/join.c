@@ -41,8 +41,8 @@ static mt_status fit_rings(const mt_joining *j, const mt_ring *p, const mt_ring 
     if (status == MT_OK) status = mt_ring_samples_at_least(q, flatness, RING_SAMPLES, j->arena, &b);
     if (status == MT_OK) status = mt_pins_of(j->context->hints, &a, &b, j->arena, &pins);
     if (status == MT_OK)
-        status =
-            mt_align(&a, j->a.box, &b, j->b.box, &j->context->settings.align, &pins, j->arena, &alignment);
+        status = mt_align(&a, &j->a.frame, &b, &j->b.frame, &j->context->settings.align, &pins, j->arena,
+                          &alignment);
     if (status != MT_OK) return status;
     *cost = alignment.cost;
     status = mt_contour_pair_fit(&a, &b, &alignment, fit, j->arena, masters);
@@ -52,7 +52,7 @@ static mt_status fit_rings(const mt_joining *j, const mt_ring *p, const mt_ring 
 /* The same by the cache. With hints, which pin rings, nothing is cached. */
 static mt_status join_rings(mt_joining *j, const mt_ring *p, const mt_ring *q, mt_contour_pair *masters) {
     mt_alignment_cache *cache = j->context->hints->count ? NULL : j->context->settings.cache;
-    mt_cache_key key = {p, q, j->a.box, j->b.box, j->context->settings.align, true};
+    mt_cache_key key = {p, q, j->a.frame, j->b.frame, j->context->settings.align, true};
     const mt_cache_entry *before = mt_alignment_cache_find(cache, &key);
     double cost = before ? before->cost : 0;
     mt_status status = MT_OK;
@@ -133,7 +133,7 @@ static mt_status close_hole(const mt_joining *j, const mt_ring *hole, bool in_a,
                             int *count) {
     const mt_part *own = in_a ? &j->a : &j->b, *other = in_a ? &j->b : &j->a;
     mt_shape ink = {1, (mt_component *)other->component};
-    mt_closing closing = {own->box, &ink, other->box, j->context->params};
+    mt_closing closing = {own->frame.box, &ink, other->frame.box, j->context->params};
     mt_status status = mt_close_ring(hole, in_a, &closing, j->arena, &contours[*count]);
     *count += status == MT_OK && contours[*count].a.count > 0;
     return status;

@@ -4,10 +4,10 @@
 #include "morph/model/join_context.h"
 #include "morph/model/morph.h"
 
-/* A component, or a part of one, in its glyph's box. */
+/* A component, or a part of one, in its glyph's frame. */
 typedef struct mt_part {
     const mt_component *component;
-    mt_box box;
+    mt_frame frame;
 } mt_part;
 
 typedef struct mt_joining {

@@ -29,7 +29,7 @@ typedef struct mt_join_state {
 } mt_join_state;
 
 static mt_part part_of(const mt_side *side, int k) {
-    return (mt_part){&side->shape.components[k], side->box};
+    return (mt_part){&side->shape.components[k], side->frame};
 }
 
 static size_t rings_in(const mt_shape *shape) {

@@ -4,6 +4,7 @@
 
 #include "geometry/minkowski.h"
 #include "geometry/outline.h"
+#include "morph/model/frame.h"
 #include "morph/model/hints.h"
 
 /* A pair of indices: into A's and into B's components, or pieces. */
@@ -22,6 +23,7 @@ typedef struct mt_side {
     mt_shape whole; /* as it was drawn */
     mt_shape shape; /* its components; MT_METHOD_JOINT cuts them where the other side has several */
     mt_box box;     /* of the shape: the paper's minimum rectangle */
+    mt_frame frame; /* in which its places are seen where boundaries are compared */
     bool *aligned;  /* of each component: it is morphed by contours, not by links */
     mt_pieces pieces;
     int *first; /* shape.count + 1 of them */

@@ -7,13 +7,13 @@
  * alignment weighs the distance, the less it distinguishes corners from sides: strokes keep clear of each other, and are drawn
  * worse. Those settings come last. */
 static const mt_settings settings[] = {
-    {0, {3, 4, 1}, {1, 4, 0}, 12, true, NULL},    {0, {3, 4, 1}, {1, 1, 0}, 12, false, NULL},
-    {0, {3, 4, 1}, {1, 12, 0}, 20, false, NULL},  {0, {3, 16, 1}, {1, 1, 0}, 20, false, NULL},
-    {0, {3, 4, 1}, {1, 1, 0}, 20, true, NULL},    {0, {3, 4, 1}, {1, 12, 0}, 12, true, NULL},
-    {0, {3, 16, 1}, {1, 12, 0}, 20, false, NULL}, {0, {3, 16, 1}, {1, 1, 0}, 20, true, NULL},
-    {0, {3, 16, 1}, {1, 4, 0}, 12, true, NULL},   {0, {3, 32, 1}, {1, 1, 0}, 20, false, NULL},
-    {0, {3, 32, 1}, {1, 4, 0}, 12, true, NULL},   {0, {3, 2, 1}, {1, 1, 0}, 20, true, NULL},
-    {0, {3, 4, 1}, {1, 4, 0}, 30, true, NULL},    {0, {3, 64, 1}, {1, 1, 0}, 20, false, NULL},
+    {0, {3, 4, 2}, {1, 4, 0}, 12, true, NULL},    {0, {3, 4, 2}, {1, 1, 0}, 12, false, NULL},
+    {0, {3, 4, 2}, {1, 12, 0}, 20, false, NULL},  {0, {3, 16, 2}, {1, 1, 0}, 20, false, NULL},
+    {0, {3, 4, 2}, {1, 1, 0}, 20, true, NULL},    {0, {3, 4, 2}, {1, 12, 0}, 12, true, NULL},
+    {0, {3, 16, 2}, {1, 12, 0}, 20, false, NULL}, {0, {3, 16, 2}, {1, 1, 0}, 20, true, NULL},
+    {0, {3, 16, 2}, {1, 4, 0}, 12, true, NULL},   {0, {3, 32, 2}, {1, 1, 0}, 20, false, NULL},
+    {0, {3, 32, 2}, {1, 4, 0}, 12, true, NULL},   {0, {3, 2, 2}, {1, 1, 0}, 20, true, NULL},
+    {0, {3, 4, 2}, {1, 4, 0}, 30, true, NULL},    {0, {3, 64, 2}, {1, 1, 0}, 20, false, NULL},
 };
 
 int mt_settings_count(void) {

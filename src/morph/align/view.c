@@ -1,0 +1,47 @@
+/* Views of samples in a frame (model/frame.h). A view's headings are carried as vectors and made unit vectors again; a corner is carried
+ * with the normal half-way between its headings, and one that turns right back with none. O(1) a sample. */
+#include "morph/align/view.h"
+
+#include <math.h>
+
+#define TURNED_BACK 0.1 /* length of a sum of headings: less cancels itself, and has no normal */
+
+/* A place on a boundary with the normal (n, m). */
+static void carry(const mt_frame *f, double px, double py, double n, double m, mt_sample_view *view) {
+    double width = mt_box_width(f->box), height = mt_box_height(f->box);
+    double u = (px - f->box.min.x - width / 2) / mt_frame_side(width, height),
+           v = (py - f->box.min.y - height / 2) / mt_frame_side(height, width);
+    view->x = f->x[0] + f->x[1] * u + f->x[2] * v + f->x[3] * n;
+    view->y = f->y[0] + f->y[1] * u + f->y[2] * v + f->y[3] * m;
+}
+
+mt_sample_view mt_view_of_place(const mt_frame *frame, double x, double y) {
+    mt_sample_view view = {0};
+    carry(frame, x, y, 0, 0, &view);
+    return view;
+}
+
+void mt_normal_of(double x, double y, double normal[2]) {
+    double length = hypot(x, y);
+    bool turned = length < TURNED_BACK;
+    normal[0] = turned ? 0 : y / length;
+    normal[1] = turned ? 0 : -x / length;
+}
+
+static void carry_heading(const mt_frame *f, double heading, double *x, double *y) {
+    double p = cos(heading), q = sin(heading);
+    double u = f->heading[0] * p + f->heading[1] * q, v = f->heading[2] * p + f->heading[3] * q,
+           length = hypot(u, v);
+    *x = u / length;
+    *y = v / length;
+}
+
+mt_sample_view mt_sample_view_of(const mt_ring_sample *s, const mt_frame *frame) {
+    mt_sample_view view = {.turn_x = cos(s->out - s->in), .turn_y = sin(s->out - s->in)};
+    double normal[2];
+    mt_normal_of(cos(s->in) + cos(s->out), sin(s->in) + sin(s->out), normal);
+    carry(frame, s->x, s->y, normal[0], normal[1], &view);
+    carry_heading(frame, s->in, &view.in_x, &view.in_y);
+    carry_heading(frame, s->out, &view.out_x, &view.out_y);
+    return view;
+}
