@@ -11,8 +11,8 @@ import cli
 PLACES = ('0', '0.5', '1')
 WHITE = 255
 # Pixels an em, and how much of 255 a pixel may be lighter or darker there than what there is around it in the static font. In
-# small sizes the tips of strokes are parts of a pixel.
-SPOTS = {12: 32, 24: 32, 96: 8, 400: 8}
+# small sizes the tips of strokes, and the white between two, are parts of a pixel.
+SPOTS = {12: 32, 24: 32, 96: 12, 400: 8}
 HEAVIER = 0.02 # the share by which all the ink may differ
 
 
