@@ -43,7 +43,8 @@ static mt_status spell_lookup(const mt_spellings *spellings, const mt_gsub_looku
 
 mt_status mt_spell(const mt_font *font, const mt_gsub *gsub, const uint32_t *chars, int count,
                    mt_arena *arena, mt_spellings *spellings) {
-    mt_spellings made = {.glyph_count = mt_font_glyph_count(font)};
+    /* A font whose FreeType ran out of memory counts no glyphs any more. */
+    mt_spellings made = {.glyph_count = gsub->glyph_count};
     made.of = mt_arena_new(arena, (size_t)made.glyph_count + 1, sizeof *made.of);
     if (!made.of) return MT_NO_MEMORY;
     for (int i = 0; i < count; i++) {
