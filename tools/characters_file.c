@@ -1,6 +1,7 @@
 #include "characters_file.h"
 
 #include "base/file.h"
+#include "base/lines.h"
 #include "base/memory.h"
 #include "messages.h"
 #include "work.h"
@@ -100,16 +101,13 @@ static int add_line(const file_reading *file, const char *line) {
 }
 
 /* `text` is cut into lines in place. */
-static int add_lines(file_reading *file, char *text, const char *end) {
+static int add_lines(file_reading *file, char *text, size_t length) {
+    mt_lines lines = mt_lines_of(text, length);
     int outcome = DONE;
-    if (strncmp(text, "\xef\xbb\xbf", 3) == 0) text += 3; /* a byte order mark */
-    for (char *next; text < end && outcome == DONE; text = next) {
-        char *stop = text + strcspn(text, "\n");
-        file->line++;
-        if (stop < end && *stop == '\0') return fail_line(file, "not UTF-8 text");
-        next = stop + 1;
-        *stop = '\0';
-        outcome = add_line(file, text);
+    bool whole;
+    for (char *line; outcome == DONE && (line = mt_lines_next(&lines, &whole));) {
+        file->line = lines.number;
+        outcome = whole ? add_line(file, line) : fail_line(file, "not UTF-8 text");
     }
     return outcome;
 }
@@ -128,7 +126,7 @@ int characters_add_file(characters *set, const char *path, notation *reader, con
         return fail("%s: %s", path, mt_status_text(MT_NO_MEMORY));
     }
     text[length] = '\0';
-    int outcome = add_lines(&file, text, text + length);
+    int outcome = add_lines(&file, text, length);
     mt_free(text);
     return outcome;
 }

@@ -13,13 +13,9 @@ enum { NAMED_MOST = 8, LINE_ROOM = 12288 }; /* glyphs named in a line; bytes */
 /* ---- collecting --------------------------------------------------------------------------------- */
 
 static bool make_room(glyph_notes *notes) {
-    if (notes->count < notes->room) return true;
-    int room = notes->room ? 2 * notes->room : 64;
-    glyph_note *list = mt_grow(notes->list, (size_t)room, sizeof *list);
-    if (!list) return false;
-    notes->list = list;
-    notes->room = room;
-    return true;
+    glyph_note *list = mt_grow_list(notes->list, notes->count, &notes->room, sizeof *list);
+    if (list) notes->list = list;
+    return list != NULL;
 }
 
 void glyph_notes_add(const mt_glyph_note *note, void *user) {

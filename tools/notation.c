@@ -39,16 +39,9 @@ static void copy_name(const char *from, size_t length, char name[NOTATION_NAME_M
     name[length] = '\0';
 }
 
-static bool is_utf8(const char *text, const char *end) {
-    uint32_t code_point;
-    while (text < end)
-        if (!mt_utf8_next(&text, &code_point)) return false;
-    return true;
-}
-
 static mt_status find(const notation *reader, const char *at, size_t length, mt_choice *choice) {
     uint32_t glyph;
-    if (!is_utf8(at, at + length)) return MT_BAD_PARAMETER;
+    if (!mt_utf8_is_valid(at, length)) return MT_BAD_PARAMETER;
     mt_status status = mt_naming_find(reader->naming, at, length, &glyph);
     if (status == MT_OK) *choice = (mt_choice){.name = at, .glyph = glyph};
     return status;

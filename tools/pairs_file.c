@@ -1,13 +1,13 @@
 #include "pairs_file.h"
 
 #include "base/file.h"
+#include "base/lines.h"
 #include "base/memory.h"
 #include "base/utf.h"
 #include "messages.h"
 #include "source/glyph_names.h"
 #include "work.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,34 +27,7 @@ typedef struct pairs_file {
     int *lines;       /* of the first font's glyphs, the line that pairs it; 0: none */
 } pairs_file;
 
-/* ---- words -------------------------------------------------------------------------------------- */
-
-static bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\r';
-}
-
-/* The next word of the line, which is cut off behind it; NULL at the end, or where a comment starts. */
-static char *next_word(char **at) {
-    char *word = *at;
-    while (is_blank(*word)) word++;
-    if (*word == '\0' || *word == '#') return NULL;
-    char *end = word;
-    while (*end && !is_blank(*end)) end++;
-    *at = *end ? end + 1 : end;
-    *end = '\0';
-    return word;
-}
-
-static int count_words(const char *line) {
-    int count = 0;
-    while (*line) {
-        while (is_blank(*line)) line++;
-        if (*line == '\0' || *line == '#') break;
-        count++;
-        while (*line && !is_blank(*line)) line++;
-    }
-    return count;
-}
+/* ---- messages ----------------------------------------------------------------------------------- */
 
 static int fail_at(const pairs_file *file, const char *what) {
     return fail("%s:%d: %s", file->options->pairs_file, file->line, what);
@@ -104,54 +77,41 @@ static int find_glyph(pairs_file *file, int font, const char *word, uint32_t *gl
 
 static uint32_t *add_row(pairs_file *file) {
     size_t width = (size_t)file->options->font_count;
-    if (file->count == file->room) {
-        int room = file->room ? 2 * file->room : 64;
-        uint32_t *glyphs = mt_grow(file->glyphs, (size_t)room, width * sizeof *glyphs);
-        if (!glyphs) return NULL;
-        file->glyphs = glyphs;
-        file->room = room;
-    }
-    return file->glyphs + width * (size_t)file->count++;
-}
-
-static bool is_utf8(const char *line) {
-    uint32_t code_point;
-    while (*line)
-        if (!mt_utf8_next(&line, &code_point)) return false;
-    return true;
+    uint32_t *glyphs = mt_grow_list(file->glyphs, file->count, &file->room, width * sizeof *glyphs);
+    if (!glyphs) return NULL;
+    file->glyphs = glyphs;
+    return glyphs + width * (size_t)file->count++;
 }
 
 static int read_line(pairs_file *file, char *line) {
-    int wanted = file->options->font_count, words = count_words(line);
-    if (!is_utf8(line)) return fail_at(file, "not UTF-8 text");
-    if (words == 0) return DONE;
-    if (words != wanted)
+    const char *words[MT_VARIABLE_FONTS_MAX];
+    const int wanted = file->options->font_count;
+    if (!mt_utf8_is_valid(line, strlen(line))) return fail_at(file, "not UTF-8 text");
+    int count = mt_words_split(line, words, wanted);
+    if (count == 0) return DONE;
+    if (count != wanted)
         return fail("%s:%d: %d glyph%s instead of %d, one for each font", file->options->pairs_file,
-                    file->line, words, words == 1 ? "" : "s", wanted);
+                    file->line, count, count == 1 ? "" : "s", wanted);
     uint32_t *row = add_row(file);
     if (!row) return fail_status(file->options->pairs_file, MT_NO_MEMORY);
     for (int i = 0; i < wanted; i++) {
-        char *word = next_word(&line);
-        int outcome = find_glyph(file, i, word, &row[i]);
+        int outcome = find_glyph(file, i, words[i], &row[i]);
         if (outcome != DONE) return outcome;
         if (i == 0 && file->lines[row[0]])
             return fail("%s:%d: %.*s is paired on line %d already", file->options->pairs_file, file->line,
-                        WORD_SHOWN, word, file->lines[row[0]]);
+                        WORD_SHOWN, words[i], file->lines[row[0]]);
     }
     file->lines[row[0]] = file->line;
     return DONE;
 }
 
 /* `text` is cut into lines and words in place. */
-static int read_lines(pairs_file *file, char *text, const char *end) {
-    if (strncmp(text, "\xef\xbb\xbf", 3) == 0) text += 3; /* a byte order mark */
-    for (char *next; text < end; text = next) {
-        char *stop = text + strcspn(text, "\n");
-        file->line++;
-        if (stop < end && *stop == '\0') return fail_at(file, "not UTF-8 text");
-        next = stop + 1;
-        *stop = '\0';
-        int outcome = read_line(file, text);
+static int read_lines(pairs_file *file, char *text, size_t length) {
+    mt_lines lines = mt_lines_of(text, length);
+    bool whole;
+    for (char *line; (line = mt_lines_next(&lines, &whole));) {
+        file->line = lines.number;
+        int outcome = whole ? read_line(file, line) : fail_at(file, "not UTF-8 text");
         if (outcome != DONE) return outcome;
     }
     return file->count ? DONE : fail("%s: no pairs", file->options->pairs_file);
@@ -178,7 +138,7 @@ static int make_pairs(pairs_file *file, char *text, size_t length, mt_given_pair
     file->lines =
         mt_arena_new(&file->arena, (size_t)mt_font_glyph_count(file->fonts[0]) + 1, sizeof *file->lines);
     if (!file->lines) return fail_status(options->pairs_file, MT_NO_MEMORY);
-    int outcome = read_lines(file, text, text + length);
+    int outcome = read_lines(file, text, length);
     if (outcome != DONE) return outcome;
     mt_status status =
         mt_given_pairs_make(file->glyphs, file->count, file->fonts, options->font_count, pairs);

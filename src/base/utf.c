@@ -26,6 +26,14 @@ bool mt_utf8_next(const char **text, uint32_t *code_point) {
     return true;
 }
 
+bool mt_utf8_is_valid(const char *text, size_t length) {
+    const char *end = text + length;
+    uint32_t code_point;
+    while (text < end)
+        if (!mt_utf8_next(&text, &code_point) || !code_point) return false;
+    return true;
+}
+
 int mt_utf8_put(uint32_t code_point, char bytes[4]) {
     int followed = code_point < 0x80 ? 0 : code_point < 0x800 ? 1 : code_point < 0x10000 ? 2 : 3;
     static const uint8_t leads[] = {0x00, 0xC0, 0xE0, 0xF0};

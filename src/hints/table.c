@@ -5,6 +5,7 @@
 
 #include "base/decimal.h"
 #include "base/file.h"
+#include "base/lines.h"
 #include "base/memory.h"
 #include "base/utf.h"
 #include "geometry/limits.h"
@@ -27,30 +28,6 @@ static mt_status bad(mt_hint_reader *reader, const char *reason) {
 }
 
 /* ---- words --------------------------------------------------------------------------------------------- */
-
-static bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\r';
-}
-
-static bool is_utf8(const char *text) {
-    uint32_t code_point;
-    while (*text)
-        if (!mt_utf8_next(&text, &code_point)) return false;
-    return true;
-}
-
-/* Cuts a line into words in place, up to a comment; how many, of which `words` holds the first WORDS. */
-static int split(char *line, const char *words[WORDS]) {
-    int count = 0;
-    for (char *at = line;;) {
-        while (is_blank(*at)) at++;
-        if (*at == '\0' || *at == '#') return count;
-        if (count < WORDS) words[count] = at;
-        count++;
-        while (*at && !is_blank(*at)) at++;
-        if (*at) *at++ = '\0';
-    }
-}
 
 static int hex_digit(char c) {
     if (c >= '0' && c <= '9') return c - '0';
@@ -120,8 +97,8 @@ static mt_status read_hint(mt_hint_reader *reader, mt_hint_kind kind, const char
 
 static mt_status read_line(mt_hint_reader *reader, char *line) {
     const char *words[WORDS];
-    if (!is_utf8(line)) return bad(reader, "not UTF-8 text");
-    int count = split(line, words);
+    if (!mt_utf8_is_valid(line, strlen(line))) return bad(reader, "not UTF-8 text");
+    int count = mt_words_split(line, words, WORDS);
     if (count == 0) return MT_OK;
     if (strcmp(words[0], "glyph") == 0) return read_glyph(reader, words, count);
     if (strcmp(words[0], "component") == 0) return read_hint(reader, MT_HINT_COMPONENT, words, count);
@@ -129,17 +106,14 @@ static mt_status read_line(mt_hint_reader *reader, char *line) {
     return bad(reader, "a line begins with glyph, component or point");
 }
 
-/* `text` ends with a NUL at `end` and is cut into lines in place. */
-static mt_status read_lines(mt_hint_reader *reader, char *text, const char *end) {
+/* `text` ends with a NUL at `length` and is cut into lines in place. */
+static mt_status read_lines(mt_hint_reader *reader, char *text, size_t length) {
+    mt_lines lines = mt_lines_of(text, length);
     mt_status status = MT_OK;
-    if (strncmp(text, "\xef\xbb\xbf", 3) == 0) text += 3; /* a byte order mark */
-    for (char *next; status == MT_OK && text < end; text = next) {
-        char *stop = text + strcspn(text, "\n");
-        bool has_nul = *stop == '\0' && stop < end;
-        next = stop + 1;
-        *stop = '\0';
-        reader->line++;
-        status = has_nul ? bad(reader, "not UTF-8 text") : read_line(reader, text);
+    bool whole;
+    for (char *line; status == MT_OK && (line = mt_lines_next(&lines, &whole));) {
+        reader->line = lines.number;
+        status = whole ? read_line(reader, line) : bad(reader, "not UTF-8 text");
     }
     return status;
 }
@@ -161,7 +135,7 @@ static mt_status read_table(char *text, size_t length, mt_hint_table **table, mt
         return MT_NO_MEMORY;
     }
     reader.table->text = text;
-    mt_status status = read_lines(&reader, text, text + length);
+    mt_status status = read_lines(&reader, text, length);
     if (status != MT_OK) {
         mt_hint_table_free(reader.table);
         if (status == MT_BAD_HINTS && error) *error = (mt_hint_error){reader.line, reader.reason};

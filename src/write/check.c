@@ -75,13 +75,6 @@ static mt_status check_glyph_names(const mt_font_data *data) {
     return MT_OK;
 }
 
-static bool is_utf8(const char *text) {
-    uint32_t c = 1;
-    while (c)
-        if (!mt_utf8_next(&text, &c)) return false;
-    return true;
-}
-
 /* Lengths and offsets in 'name' have 16 bits. Family and style stand there up to three times, and UTF-16
  * takes at most two bytes for one of UTF-8. */
 static mt_status check_names(const mt_font_data *data) {
@@ -93,7 +86,7 @@ static mt_status check_names(const mt_font_data *data) {
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         if (i < 3 && (!texts[i] || !*texts[i])) return MT_BAD_PARAMETER;
         if (!texts[i]) continue;
-        if (!is_utf8(texts[i])) return MT_BAD_PARAMETER;
+        if (!mt_utf8_is_valid(texts[i], strlen(texts[i]))) return MT_BAD_PARAMETER;
         length += (i < 2 ? 3 : 1) * 2 * strlen(texts[i]);
     }
     return length > NAME_BYTES_MAX - OTHERS ? MT_TOO_LARGE : MT_OK;
