@@ -22,13 +22,18 @@ static void pair_parts(mt_glyph_match *match, const mt_math_construction *a, con
         mt_match_form(match, a->parts[i].glyph, b->parts[i].glyph, match->origin[a->glyph]);
 }
 
+/* What B has for the partner of the glyph that A has it for; NULL where there is none. */
+static const mt_math_construction *
+find_counterpart(const mt_glyph_match *match, const mt_math_construction *a, const mt_math_constructions *b) {
+    uint32_t partner = match->partner[a->glyph];
+    return partner == MT_NO_PARTNER ? NULL : mt_math_construction_find(b, partner);
+}
+
 void mt_match_math(mt_glyph_match *match, const mt_math_table *a, const mt_math_table *b) {
     for (int k = 0; k < MT_MATH_DIRECTIONS; k++) {
         for (int i = 0; i < a->constructions[k].count; i++) {
             const mt_math_construction *in_a = &a->constructions[k].list[i];
-            uint32_t partner = match->partner[in_a->glyph];
-            const mt_math_construction *in_b =
-                partner == MT_NO_PARTNER ? NULL : mt_math_construction_find(&b->constructions[k], partner);
+            const mt_math_construction *in_b = find_counterpart(match, in_a, &b->constructions[k]);
             if (!in_b) continue;
             pair_variants(match, in_a, in_b);
             pair_parts(match, in_a, in_b);
@@ -73,9 +78,7 @@ static bool hold_once(mt_glyph_match *match, const mt_math_table *a, const mt_ma
     for (int k = 0; k < MT_MATH_DIRECTIONS; k++) {
         for (int i = 0; i < a->constructions[k].count; i++) {
             const mt_math_construction *in_a = &a->constructions[k].list[i];
-            uint32_t partner = match->partner[in_a->glyph];
-            const mt_math_construction *in_b =
-                partner == MT_NO_PARTNER ? NULL : mt_math_construction_find(&b->constructions[k], partner);
+            const mt_math_construction *in_b = find_counterpart(match, in_a, &b->constructions[k]);
             if (!is_paired_alike(match, a, in_a, in_b)) held |= hold_parts(match, in_a);
         }
     }

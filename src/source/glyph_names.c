@@ -66,6 +66,10 @@ static int by_name(const void *p, const void *q) {
     return order ? order : (x->glyph > y->glyph) - (x->glyph < y->glyph);
 }
 
+void mt_name_index_sort(mt_name_index *index) {
+    if (index->count) qsort(index->list, (size_t)index->count, sizeof *index->list, by_name);
+}
+
 mt_status mt_name_index_make(mt_font *font, mt_arena *arena, mt_name_index *index) {
     mt_name_reading reading = {.arena = arena, .numbers_too = true};
     mt_name_index made = {0};
@@ -75,7 +79,7 @@ mt_status mt_name_index_make(mt_font *font, mt_arena *arena, mt_name_index *inde
     if (!made.list) return MT_NO_MEMORY;
     for (int i = 0; i < reading.count && reading.names; i++)
         if (reading.names[i]) made.list[made.count++] = (mt_named_glyph){reading.names[i], (uint32_t)i};
-    if (made.count) qsort(made.list, (size_t)made.count, sizeof *made.list, by_name);
+    mt_name_index_sort(&made);
     *index = made;
     return MT_OK;
 }

@@ -19,6 +19,8 @@ typedef struct mt_name_index {
         list; /* by name; of glyphs that share one, which is against the rules, the first before the others */
 } mt_name_index;
 
+/* Puts a list in that order. */
+void mt_name_index_sort(mt_name_index *index);
 /* All names of the font, in the arena. MT_NO_MEMORY. */
 mt_status mt_name_index_make(mt_font *font, mt_arena *arena, mt_name_index *index);
 /* The first glyph of that name; 0 where there is none. */
