@@ -39,10 +39,15 @@ static void copy_name(const char *from, size_t length, char name[NOTATION_NAME_M
     name[length] = '\0';
 }
 
-static mt_status find(const notation *reader, const char *at, size_t length, mt_choice *choice) {
+void notation_close(notation *reader) {
+    mt_naming_close(reader->naming);
+}
+
+static mt_status find(notation *reader, const char *at, size_t length, mt_choice *choice) {
     uint32_t glyph;
     if (!mt_utf8_is_valid(at, length)) return MT_BAD_PARAMETER;
-    mt_status status = mt_naming_find(reader->naming, at, length, &glyph);
+    mt_status status = reader->naming ? MT_OK : mt_naming_open(reader->font, &reader->naming);
+    if (status == MT_OK) status = mt_naming_find(reader->naming, at, length, &glyph);
     if (status == MT_OK) *choice = (mt_choice){.name = at, .glyph = glyph};
     return status;
 }

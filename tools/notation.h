@@ -14,13 +14,17 @@
 #include "glyphset/naming.h"
 
 typedef struct notation {
-    mt_naming *naming; /* of the first font */
+    mt_font *font;     /* the first */
+    mt_naming *naming; /* of it; NULL until a name is looked for */
     bool after_word;   /* a character that is no blank stands before; at first none does */
 } notation;
+
+void notation_close(notation *reader);
 
 enum { NOTATION_NAME_MAX = 255 };
 
 /* Reads the character or glyph at *at, which is not the text's end, and moves past it; `name` has a glyph's name. MT_NO_GLYPH where
- * there has to be a glyph of that name and the font has none; MT_BAD_PARAMETER for what is no UTF-8; otherwise as mt_naming_find. */
+ * there has to be a glyph of that name and the font has none; MT_BAD_PARAMETER for what is no UTF-8; otherwise as
+ * mt_naming_open and mt_naming_find. */
 mt_status notation_next(notation *reader, const char **at, mt_choice *choice,
                         char name[NOTATION_NAME_MAX + 1]);

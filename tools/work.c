@@ -165,13 +165,11 @@ static int choose_file(const char_source *source, notation *reader, characters *
 int characters_choose(const cli_options *options, mt_font *const *fonts, int count,
                       const mt_given_pairs *pairs, characters *chosen, choices *text) {
     const char_source source = {options, fonts, count, pairs};
-    notation reader = {0};
+    notation reader = {.font = fonts[0]};
     if (!options->text && !options->chars_file) return DONE;
-    mt_status status = mt_naming_open(fonts[0], &reader.naming);
-    if (status != MT_OK) return fail_status(options->fonts[0], status);
     int outcome =
         options->text ? choose_text(&source, &reader, chosen, text) : choose_file(&source, &reader, chosen);
-    mt_naming_close(reader.naming);
+    notation_close(&reader);
     return outcome;
 }
 
