@@ -20,8 +20,8 @@
 #define PLACE_SHARE 0.25  /* of the weight on places, while the map is not known */
 #define AGREE 0.8         /* of headings, in and out, as a mean cosine: less is no evidence */
 #define PAIRED_LEAST 0.75 /* share of the length of all rings: with less in pairs, the wholes are not known */
-#define WORTH_WHILE                                                                                          \
-    0.9 /* of what boundaries cost as their boxes lie: a map has to bring it down to that, … */
+/* A map has to bring what boundaries cost as their boxes lie down to that, … */
+#define WORTH_WHILE 0.9
 #define REACH_MOST 0.2 /* … and how far a whole reaches may change by that, boxes */
 #define PRIOR 0.002    /* weight of the map that changes nothing; all evidence together weighs 1 */
 #define NARROWEST 0.05 /* of a map's determinant: less is no drawing's */
@@ -31,7 +31,8 @@ enum { PASSES = 2 };
 /* Two rings that go together. */
 typedef struct mt_ring_pair {
     mt_ring_samples a, b;
-    double share; /* of the length of all rings */
+    double *in_a, *in_b; /* what each sample weighs, by lifted length as the boxes lie */
+    double share;        /* of the length of all rings */
 } mt_ring_pair;
 
 /* A place on A's boundary that is known to go to a place on B's: along each axis 1, u, v and the normal; and where it goes. */
@@ -83,11 +84,23 @@ static mt_status list_rings(const mt_shape *shape, const mt_frame *frame, bool o
     return MT_OK;
 }
 
+/* What each sample of a ring weighs. */
+static mt_status weights_of(const mt_ring_samples *samples, const mt_frame *frame, mt_arena *arena,
+                            double **weights) {
+    mt_lifted_ring lifted;
+    *weights = mt_arena_new(arena, (size_t)samples->count, sizeof **weights);
+    mt_status status = *weights ? mt_lift_ring(samples, frame, arena, &lifted) : MT_NO_MEMORY;
+    for (int i = 0; status == MT_OK && i < lifted.count; i++) (*weights)[lifted.of[i]] += lifted.weight[i];
+    return status;
+}
+
 static mt_status add_pair(mt_registration *r, const mt_ring *p, const mt_ring *q) {
     mt_ring_pair *pair = &r->pairs[r->pair_count++];
     pair->share = mt_ring_length(p) + mt_ring_length(q);
     mt_status status = mt_ring_samples_at_least(p, r->flatness, SAMPLES, r->arena, &pair->a);
-    return status == MT_OK ? mt_ring_samples_at_least(q, r->flatness, SAMPLES, r->arena, &pair->b) : status;
+    if (status == MT_OK) status = mt_ring_samples_at_least(q, r->flatness, SAMPLES, r->arena, &pair->b);
+    if (status == MT_OK) status = weights_of(&pair->a, &r->box_a, r->arena, &pair->in_a);
+    return status == MT_OK ? weights_of(&pair->b, &r->box_b, r->arena, &pair->in_b) : status;
 }
 
 static mt_status pair_rings(mt_registration *r, bool outer, const mt_settings *settings) {
@@ -125,16 +138,6 @@ static mt_status pair_all(mt_registration *r, const mt_settings *settings) {
 
 /* ---- evidence ------------------------------------------------------------------------------------------------------ */
 
-/* What each sample of a ring weighs. */
-static mt_status weights_of(const mt_ring_samples *samples, const mt_frame *frame, mt_arena *arena,
-                            double **weights) {
-    mt_lifted_ring lifted;
-    *weights = mt_arena_new(arena, (size_t)samples->count, sizeof **weights);
-    mt_status status = *weights ? mt_lift_ring(samples, frame, arena, &lifted) : MT_NO_MEMORY;
-    for (int i = 0; status == MT_OK && i < lifted.count; i++) (*weights)[lifted.of[i]] += lifted.weight[i];
-    return status;
-}
-
 /* The mean cosine between the headings of two samples. */
 static double agreement(const mt_sample_view *p, const mt_sample_view *q) {
     return (p->in_x * q->in_x + p->in_y * q->in_y + p->out_x * q->out_x + p->out_y * q->out_y) / 2;
@@ -153,15 +156,12 @@ static void add_evidence(mt_registration *r, const mt_ring_sample *here, const m
 static mt_status look_at_pair(mt_registration *r, const mt_ring_pair *pair, double *cost) {
     mt_arena_place before = mt_arena_mark(r->arena);
     mt_alignment alignment;
-    double *in_a = NULL, *in_b = NULL;
     mt_status status = mt_align(&pair->a, &r->carried, &pair->b, &r->box_b, &r->weights, &(mt_links){0},
                                 r->arena, &alignment);
-    if (status == MT_OK) status = weights_of(&pair->a, &r->box_a, r->arena, &in_a);
-    if (status == MT_OK) status = weights_of(&pair->b, &r->box_b, r->arena, &in_b);
     if (status == MT_OK) *cost += pair->share * alignment.cost;
     for (int k = 0; status == MT_OK && k < alignment.count; k++) {
         mt_link step = alignment.steps[k];
-        double weight = pair->share * (in_a[step.a] + in_b[step.b]) / 2;
+        double weight = pair->share * (pair->in_a[step.a] + pair->in_b[step.b]) / 2;
         add_evidence(r, &pair->a.samples[step.a], &pair->b.samples[step.b], weight);
     }
     mt_arena_rewind(r->arena, before);
