@@ -9,11 +9,9 @@
 #include "glyphset/places.h"
 #include "layout/layout.h"
 #include "layout/lookup_builder.h"
+#include "layout/rule.h"
 
 enum { MT_CONTEXT = 7, MT_CHAINED_CONTEXT = 8 };
-
-/* The three sequences of a rule: glyphs before, from the nearest on; those that it is for; glyphs after. */
-enum { MT_BEFORE, MT_INPUT, MT_AFTER, MT_SEQUENCES };
 
 typedef struct mt_context_call {
     uint16_t at;   /* place in the input */

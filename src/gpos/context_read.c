@@ -11,38 +11,6 @@ static bool spend(int64_t *steps, int64_t count) {
     return *steps > 0;
 }
 
-/* ---- where a rule's parts stand ------------------------------------------------------------------------ */
-
-/* A rule in its table: the sequences without their counts, and the records of calls. */
-typedef struct mt_rule_layout {
-    int counts[MT_SEQUENCES];
-    size_t at[MT_SEQUENCES]; /* of the numbers that stand there: a glyph, a class or an offset each */
-    int call_count;
-    size_t calls_at;
-    bool whole;
-} mt_rule_layout;
-
-/* `from` is where the counts begin, and `first` is 1 where the input's first place is told elsewhere, else 0. */
-static mt_rule_layout find_rule(mt_bytes table, bool chained, size_t from, int first) {
-    mt_rule_layout rule = {0};
-    size_t at = from;
-    for (int s = 0; s < MT_SEQUENCES; s++) {
-        if (!chained && s != MT_INPUT) continue;
-        int missing = s == MT_INPUT ? first : 0;
-        rule.counts[s] = (int)mt_ot_u16(table, at);
-        at += 2;
-        if (!chained) rule.call_count = (int)mt_ot_u16(table, at);
-        if (!chained) at += 2;
-        rule.at[s] = at;
-        at += 2 * (size_t)(rule.counts[s] > missing ? rule.counts[s] - missing : 0);
-    }
-    if (chained) rule.call_count = (int)mt_ot_u16(table, at);
-    rule.calls_at = at + (chained ? 2 : 0);
-    rule.whole = rule.counts[MT_INPUT] > 0 &&
-                 mt_ot_has(table, from, rule.calls_at - from + 4 * (size_t)rule.call_count);
-    return rule;
-}
-
 /* ---- which lookups are called -------------------------------------------------------------------------- */
 
 void mt_context_reach_feature(const mt_layout *layout, int system, uint32_t tag, bool *reached) {
@@ -134,7 +102,7 @@ static mt_status read_calls(const mt_context_reader *reader, mt_bytes table, con
 /* Adds the rule to the set, unless one of its places has no glyph. The first place's class is `first`. */
 static mt_status read_rule(mt_class_map *map, mt_bytes table, bool chained, int first, mt_arena *arena,
                            mt_context_set *set) {
-    mt_rule_layout found = find_rule(table, chained, 0, 1);
+    mt_rule_layout found = mt_find_rule(table, chained, 0, 1);
     mt_context_rule rule = {0};
     int64_t numbers = found.counts[MT_BEFORE] + found.counts[MT_INPUT] + found.counts[MT_AFTER];
     if (!found.whole || !spend(&map->reader->steps, 1 + numbers + found.call_count)) return MT_OK;
@@ -169,15 +137,11 @@ static mt_status read_set(mt_class_map *map, mt_bytes table, bool chained, int f
     return status;
 }
 
-static size_t sets_at(unsigned format, bool chained) {
-    return format == 1 ? 4 : chained ? 10 : 6;
-}
-
 /* The sets are by class in format 2, and by the place in the coverage in format 1. */
 static mt_status read_sets(mt_class_map *map, mt_bytes table, bool chained, mt_context_subtable *subtable) {
     mt_covered *covered = NULL;
     int covered_count = 0;
-    size_t at = sets_at(mt_ot_u16(table, 0), chained);
+    size_t at = mt_rule_sets_at(mt_ot_u16(table, 0), chained);
     int count = mt_ot_fit(table, at + 2, mt_ot_u16(table, at), 2);
     mt_status status = MT_OK;
     subtable->set_count = count + map->by_glyph;
@@ -216,7 +180,7 @@ static mt_status list_covered(mt_context_reader *reader, mt_bytes coverage, mt_g
 
 static mt_status read_lists(mt_context_reader *reader, mt_bytes table, bool chained,
                             mt_context_subtable *subtable, bool *found) {
-    mt_rule_layout layout = find_rule(table, chained, 2, 0);
+    mt_rule_layout layout = mt_find_rule(table, chained, 2, 0);
     mt_context_rule rule = {0};
     if (!layout.whole) return MT_OK;
     for (int s = 0; s < MT_SEQUENCES; s++) {

@@ -1,6 +1,8 @@
 /* A context has its calls in records at the end of each rule: a place in the sequence, and a lookup. */
 #include "layout/calls.h"
 
+#include "layout/rule.h"
+
 /* NESTING_MAX: levels of lookups, as HarfBuzz has it (HB_MAX_NESTING_LEVEL). NUMBERS_MAX: of rules and records that are read; a
  * table whose parts share bytes can hold more than there is memory. The largest fonts have a hundredth. */
 enum { NESTING_MAX = 64, NUMBERS_MAX = 1 << 22 };
@@ -12,50 +14,27 @@ typedef struct mt_calls_reader {
 
 /* ---- one lookup ---------------------------------------------------------------------------------------- */
 
-static void read_records(mt_calls_reader *reader, mt_bytes table, size_t at, unsigned count) {
-    int fit = mt_ot_fit(table, at, count, 4);
+/* As many records as lie within the table. */
+static void read_rule(mt_calls_reader *reader, mt_bytes table, bool chained, size_t from, int first) {
+    mt_rule_layout rule = mt_find_rule(table, chained, from, first);
+    int fit = mt_ot_fit(table, rule.calls_at, (unsigned)rule.call_count, 4);
     reader->left -= fit + 1;
     for (int i = 0; i < fit && reader->left >= 0; i++) {
-        unsigned lookup = mt_ot_u16(table, at + 4 * (size_t)i + 2);
+        unsigned lookup = mt_ot_u16(table, rule.calls_at + 4 * (size_t)i + 2);
         if (lookup < (unsigned)reader->lookup_count) reader->called[lookup] = true;
     }
 }
 
-/* SequenceRule: the first glyph stands in no array. */
-static void read_rule(mt_calls_reader *reader, mt_bytes rule) {
-    size_t glyphs = mt_ot_u16(rule, 0);
-    read_records(reader, rule, 4 + 2 * (glyphs ? glyphs - 1 : 0), mt_ot_u16(rule, 2));
-}
-
-/* ChainedSequenceRule: glyphs before, the sequence without its first glyph, glyphs after. */
-static void read_chained_rule(mt_calls_reader *reader, mt_bytes rule) {
-    size_t at = 2 + 2 * (size_t)mt_ot_u16(rule, 0), glyphs = mt_ot_u16(rule, at);
-    at += 2 + 2 * (glyphs ? glyphs - 1 : 0);
-    at += 2 + 2 * (size_t)mt_ot_u16(rule, at);
-    read_records(reader, rule, at + 2, mt_ot_u16(rule, at));
-}
-
-/* The sets of rules whose offsets stand from `at` on, after their count. */
-static void read_sets(mt_calls_reader *reader, mt_bytes table, size_t at, bool chained) {
+static void read_sets(mt_calls_reader *reader, mt_bytes table, bool chained) {
+    size_t at = mt_rule_sets_at(mt_ot_u16(table, 0), chained);
     int sets = mt_ot_fit(table, at + 2, mt_ot_u16(table, at), 2);
     for (int i = 0; i < sets && reader->left >= 0; i++) {
         mt_bytes set = mt_ot_follow(table, at + 2 + 2 * (size_t)i);
         int rules = mt_ot_fit(set, 2, mt_ot_u16(set, 0), 2);
         reader->left--;
         for (int k = 0; k < rules && reader->left >= 0; k++)
-            (chained ? read_chained_rule : read_rule)(reader, mt_ot_follow(set, 2 + 2 * (size_t)k));
+            read_rule(reader, mt_ot_follow(set, 2 + 2 * (size_t)k), chained, 0, 1);
     }
-}
-
-/* Format 3: one rule, with coverages in place of glyphs. */
-static void read_coverages(mt_calls_reader *reader, mt_bytes table, bool chained) {
-    size_t at = 2;
-    if (!chained) {
-        read_records(reader, table, 6 + 2 * (size_t)mt_ot_u16(table, 2), mt_ot_u16(table, 4));
-        return;
-    }
-    for (int i = 0; i < 3; i++) at += 2 + 2 * (size_t)mt_ot_u16(table, at);
-    read_records(reader, table, at + 2, mt_ot_u16(table, at));
 }
 
 /* Contexts are the types 5 and 6 of GSUB, and 7 and 8 of GPOS. */
@@ -69,9 +48,9 @@ static void read_lookup(mt_calls_reader *reader, const mt_layout *layout, int in
         mt_bytes table = mt_lookup_subtable(&lookup, i);
         reader->left--;
         switch (mt_ot_u16(table, 0)) {
-        case 1: read_sets(reader, table, 4, chained); break;
-        case 2: read_sets(reader, table, chained ? 10 : 6, chained); break;
-        case 3: read_coverages(reader, table, chained); break;
+        case 1:
+        case 2: read_sets(reader, table, chained); break;
+        case 3: read_rule(reader, table, chained, 2, 0); break;
         default: break;
         }
     }
