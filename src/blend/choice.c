@@ -32,31 +32,16 @@ mt_status mt_row_choose(mt_row *row, const mt_choice *choices, int count) {
 
 /* ---- glyphs of two fonts --------------------------------------------------------------------------------- */
 
-/* Of each glyph of the first font that is named, its partner in the second; in the arena. */
+/* Of each choice by name, in their order, its partner in the second font, in the arena; NULL where there is none by name. */
 static mt_status list_partners(mt_row *row, const mt_choice *choices, int count, mt_arena *arena,
-                               uint32_t **partners) {
-    mt_row_glyphs set;
-    int all = mt_font_glyph_count(row->fonts[0]);
-    uint32_t *list = mt_arena_new(arena, (size_t)all + 1, sizeof *list);
-    uint32_t *glyphs = mt_arena_new(arena, (size_t)count + 1, sizeof *glyphs);
-    if (!list || !glyphs) return MT_NO_MEMORY;
-    const mt_charset_request request = {.set = MT_GLYPHS_FIRST,
-                                        .pairs = &row->pairs,
-                                        .glyphs = glyphs,
-                                        .glyph_count = list_values(choices, count, true, glyphs)};
-    mt_status status = mt_row_glyphs_make(row->fonts, 2, &request, arena, &set);
-    if (status != MT_OK) return status;
-    for (int i = 0; i < all; i++) list[i] = MT_NO_PARTNER;
-    for (int i = 0; i < set.charset.primary_count; i++)
-        list[set.charset.glyphs[i].a] = set.charset.glyphs[i].b;
-    *partners = list;
-    return MT_OK;
-}
-
-static bool any_named(const mt_choice *choices, int count) {
-    for (int i = 0; i < count; i++)
-        if (choices[i].name) return true;
-    return false;
+                               uint32_t **in_second) {
+    uint32_t *partners[2] = {NULL, NULL}, *glyphs = mt_arena_new(arena, (size_t)count + 1, sizeof *glyphs);
+    if (!glyphs) return MT_NO_MEMORY;
+    int named = list_values(choices, count, true, glyphs);
+    mt_status status =
+        named ? mt_row_partners(row->fonts, 2, &row->pairs, glyphs, named, arena, partners) : MT_OK;
+    *in_second = partners[1];
+    return status;
 }
 
 static void note_alone(mt_row *row, const mt_choice *choice) {
@@ -71,15 +56,13 @@ mt_status mt_choices_pair(mt_row *row, const mt_choice *choices, int count, mt_a
     uint32_t *partners = NULL;
     mt_choice_glyphs *list = mt_arena_new(arena, (size_t)count + 1, sizeof *list);
     mt_status status = list ? MT_OK : MT_NO_MEMORY;
-    if (status == MT_OK && two && any_named(choices, count))
-        status = list_partners(row, choices, count, arena, &partners);
+    if (status == MT_OK && two) status = list_partners(row, choices, count, arena, &partners);
     for (int i = 0; i < count && status == MT_OK; i++) {
         const mt_choice *choice = &choices[i];
         uint32_t a = choice->glyph, b = MT_NO_PARTNER;
         if (!choice->name) a = mt_given_glyph(&row->pairs, row->fonts, 0, choice->code_point);
         if (two)
-            b = partners && choice->name ? partners[a]
-                                         : mt_given_glyph(&row->pairs, row->fonts, 1, choice->code_point);
+            b = choice->name ? *partners++ : mt_given_glyph(&row->pairs, row->fonts, 1, choice->code_point);
         list[i] = (mt_choice_glyphs){a, b};
         if (!choice->name && (!a || !b)) status = MT_NO_GLYPH;
         if (!choice->name && (!a || !b)) *failed = i;

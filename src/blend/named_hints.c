@@ -31,34 +31,19 @@ static mt_status find_names(mt_font *first, const mt_named_lines *named, mt_hint
     return status;
 }
 
-/* Those of one step that go together with the first font's; `numbers` has the place of each of these in the set. */
-static mt_status list_step(const mt_row_glyphs *set, const uint32_t *numbers, const mt_named_lines *named,
-                           int step, mt_arena *arena, mt_hint_glyphs **glyphs) {
-    mt_hint_glyphs *list = mt_arena_new(arena, (size_t)named->count, sizeof *list);
-    if (!list) return MT_NO_MEMORY;
-    for (int i = 0; i < named->count; i++) {
-        uint32_t number = numbers[named->firsts[i]];
-        list[i] = (mt_hint_glyphs){.a = set->fonts.of[step][number], .b = set->fonts.of[step + 1][number]};
-        list[i].paired = list[i].a != MT_NO_PARTNER && list[i].b != MT_NO_PARTNER;
-    }
-    *glyphs = list;
-    return MT_OK;
-}
-
-/* The set has the named glyphs of the first font. */
+/* Of each step, the glyphs that go together with the first font's. */
 static mt_status pair(mt_font *const *fonts, int count, const mt_given_pairs *pairs,
                       const mt_named_lines *named, mt_arena *arena, mt_hint_glyphs **glyphs) {
-    mt_row_glyphs set;
-    const mt_charset_request request = {
-        .set = MT_GLYPHS_FIRST, .pairs = pairs, .glyphs = named->firsts, .glyph_count = named->count};
-    size_t room = (size_t)mt_font_glyph_count(fonts[0]);
-    uint32_t *numbers = mt_arena_new(arena, room + 1, sizeof *numbers);
-    if (!numbers) return MT_NO_MEMORY;
-    mt_status status = mt_row_glyphs_make(fonts, count, &request, arena, &set);
-    for (int i = 0; status == MT_OK && i < set.charset.primary_count; i++)
-        numbers[set.charset.glyphs[i].a] = (uint32_t)i;
-    for (int step = 0; status == MT_OK && step + 1 < count; step++)
-        status = list_step(&set, numbers, named, step, arena, &glyphs[step]);
+    uint32_t *partners[MT_VARIABLE_FONTS_MAX];
+    mt_status status = mt_row_partners(fonts, count, pairs, named->firsts, named->count, arena, partners);
+    for (int step = 0; status == MT_OK && step + 1 < count; step++) {
+        glyphs[step] = mt_arena_new(arena, (size_t)named->count, sizeof *glyphs[step]);
+        if (!glyphs[step]) return MT_NO_MEMORY;
+        for (int i = 0; i < named->count; i++) {
+            uint32_t a = partners[step][i], b = partners[step + 1][i];
+            glyphs[step][i] = (mt_hint_glyphs){a != MT_NO_PARTNER && b != MT_NO_PARTNER, a, b};
+        }
+    }
     return status;
 }
 

@@ -260,6 +260,25 @@ mt_status mt_row_glyphs_make(mt_font *const *fonts, int count, const mt_charset_
     return status;
 }
 
+mt_status mt_row_partners(mt_font *const *fonts, int count, const mt_given_pairs *pairs,
+                          const uint32_t *glyphs, int glyph_count, mt_arena *arena, uint32_t **partners) {
+    mt_row_glyphs set;
+    const mt_charset_request request = {
+        .set = MT_GLYPHS_FIRST, .pairs = pairs, .glyphs = glyphs, .glyph_count = glyph_count};
+    uint32_t *numbers = mt_arena_new(arena, (size_t)mt_font_glyph_count(fonts[0]) + 1, sizeof *numbers);
+    if (!numbers) return MT_NO_MEMORY;
+    mt_status status = mt_row_glyphs_make(fonts, count, &request, arena, &set);
+    for (int i = 0; status == MT_OK && i < set.charset.primary_count; i++)
+        numbers[set.charset.glyphs[i].a] = (uint32_t)i;
+    for (int k = 0; status == MT_OK && k < count; k++) {
+        partners[k] = mt_arena_new(arena, (size_t)glyph_count + 1, sizeof *partners[k]);
+        if (!partners[k]) status = MT_NO_MEMORY;
+        for (int i = 0; status == MT_OK && i < glyph_count; i++)
+            partners[k][i] = set.fonts.of[k][numbers[glyphs[i]]];
+    }
+    return status;
+}
+
 mt_status mt_charset_make(mt_font *a, mt_font *b, const mt_charset_request *request, mt_arena *arena,
                           mt_charset *charset) {
     mt_row_glyphs glyphs;

@@ -47,6 +47,10 @@ typedef struct mt_row_glyphs {
  * glyph. MT_NOTHING_SHARED, MT_NO_MEMORY. */
 mt_status mt_row_glyphs_make(mt_font *const *fonts, int count, const mt_charset_request *request,
                              mt_arena *arena, mt_row_glyphs *glyphs);
+/* What goes with glyphs of the first font in a new font of all characters: partners[k][i] is font number k's glyph for glyphs[i], or
+ * MT_NO_PARTNER, in the arena. `partners` has one for each font; pairs may be NULL. As mt_row_glyphs_make. */
+mt_status mt_row_partners(mt_font *const *fonts, int count, const mt_given_pairs *pairs,
+                          const uint32_t *glyphs, int glyph_count, mt_arena *arena, uint32_t **partners);
 /* Of a row of two. */
 mt_status mt_charset_make(mt_font *a, mt_font *b, const mt_charset_request *request, mt_arena *arena,
                           mt_charset *charset);
