@@ -9,6 +9,7 @@
 #include "support/allocation.h"
 #include "support/blending.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/fonts.h"
 #include "support/random.h"
 #include "support/sample.h"
@@ -16,22 +17,7 @@
 
 #include <string.h>
 
-static mt_arena arena;
-static char *directory;
 static const mt_gdef_deltas still = {0};
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 static mt_anchor anchor_of(mt_anchor_point in_a, mt_anchor_point in_b) {
     mt_anchor anchor = {mt_arena_new(&arena, 2, sizeof *anchor.in_fonts)};
@@ -467,16 +453,18 @@ static void malformed_tables_do_no_harm(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(large_lookups_are_split, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(ligatures_keep_their_components, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(many_cursive_glyphs_still_join, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(the_rest_is_as_in_a_and_moves_with_the_outline, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(glyphs_that_share_one_of_a_have_their_own, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(the_last_lookup_of_b_decides, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(ligatures_go_by_their_components, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(cursive_anchors_are_mixed_each, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(any_allocation_may_fail, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(malformed_tables_do_no_harm, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(large_lookups_are_split, mt_test_set_up, mt_test_tear_down),
+        cmocka_unit_test_setup_teardown(ligatures_keep_their_components, mt_test_set_up, mt_test_tear_down),
+        cmocka_unit_test_setup_teardown(many_cursive_glyphs_still_join, mt_test_set_up, mt_test_tear_down),
+        cmocka_unit_test_setup_teardown(the_rest_is_as_in_a_and_moves_with_the_outline, mt_test_set_up,
+                                        mt_test_tear_down),
+        cmocka_unit_test_setup_teardown(glyphs_that_share_one_of_a_have_their_own, mt_test_set_up,
+                                        mt_test_tear_down),
+        cmocka_unit_test_setup_teardown(the_last_lookup_of_b_decides, mt_test_set_up, mt_test_tear_down),
+        cmocka_unit_test_setup_teardown(ligatures_go_by_their_components, mt_test_set_up, mt_test_tear_down),
+        cmocka_unit_test_setup_teardown(cursive_anchors_are_mixed_each, mt_test_set_up, mt_test_tear_down),
+        cmocka_unit_test_setup_teardown(any_allocation_may_fail, mt_test_set_up, mt_test_tear_down),
+        cmocka_unit_test_setup_teardown(malformed_tables_do_no_harm, mt_test_set_up, mt_test_tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,25 +3,10 @@
 #include "sfnt/sfnt.h"
 #include "support/blending.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/sample.h"
 
 enum { FIRST = 0xE000, GLYPHS = 12, SINGLE = 1, CONTEXT = 7, CHAINED = 8, KERN = MT_TAG('k', 'e', 'r', 'n') };
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 /* ---- sources ------------------------------------------------------------------------------------------- */
 
@@ -210,5 +195,5 @@ int main(void) {
         cmocka_unit_test(one_alone),
         cmocka_unit_test(without_a_glyph_of_it),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, mt_test_tear_down);
 }

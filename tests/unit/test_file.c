@@ -1,6 +1,7 @@
 #include "base/file.h"
 #include "support/allocation.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/sample.h"
 
 #include <errno.h>
@@ -8,22 +9,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 static char *path_of(const char *name) {
     return mt_sample_path(&arena, directory, name);
@@ -181,5 +166,5 @@ int main(void) {
         cmocka_unit_test(reads_a_pipe),
         cmocka_unit_test(survives_want_of_memory),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, mt_test_tear_down);
 }

@@ -1,6 +1,7 @@
 #include "base/folder.h"
 #include "support/allocation.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/sample.h"
 
 #include <errno.h>
@@ -9,15 +10,6 @@
 #include <unistd.h>
 
 #define MARK "mark"
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
 
 /* Each test leaves the directory empty. */
 static int tear_down(void **state) {
@@ -175,5 +167,5 @@ int main(void) {
         cmocka_unit_test(leaves_nothing_when_it_cannot_write),
         cmocka_unit_test(survives_want_of_memory),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, tear_down);
 }

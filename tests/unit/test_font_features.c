@@ -3,6 +3,7 @@
 #include "source/variation_sequences.h"
 #include "support/allocation.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/gsub.h"
 #include "support/sample.h"
 
@@ -10,9 +11,6 @@
 #include <string.h>
 
 enum { GLYPHS = 40 };
-
-static mt_arena arena;
-static char *directory;
 
 static int set_up(void **state) {
     (void)state;
@@ -32,13 +30,6 @@ static int set_up(void **state) {
     mt_font_close(mt_test_gsub_font(path, GLYPHS, "abcd1", NULL, gsub, &arena));
     mt_font_close(mt_test_gsub_font(mt_sample_path(&arena, directory, "f.ttf:ss01"), GLYPHS, "xyz", NULL,
                                     gsub, &arena));
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
     return 0;
 }
 
@@ -159,5 +150,5 @@ int main(void) {
         cmocka_unit_test(without_layout),
         cmocka_unit_test(no_memory),
     };
-    return cmocka_run_group_tests_name("font features", tests, set_up, tear_down);
+    return cmocka_run_group_tests_name("font features", tests, set_up, mt_test_tear_down);
 }

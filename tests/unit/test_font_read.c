@@ -5,6 +5,7 @@
 #include "sfnt/woff2.h"
 #include "support/allocation.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/fonts.h"
 #include "support/random.h"
 #include "support/sample.h"
@@ -21,8 +22,6 @@
 #define VARIABLE "/usr/share/fonts/truetype/inter-vf/Inter.var.ttf"
 #define TYPE1 "/usr/share/fonts/type1/urw-base35/NimbusSans-BoldItalic.t1"
 
-static mt_arena arena;
-static char *directory;
 static uint8_t *sample; /* the sample font's bytes */
 static size_t sample_length;
 
@@ -35,13 +34,6 @@ static int set_up(void **state) {
     sample = mt_arena_new(&arena, sample_length, 1);
     memcpy(sample, bytes, sample_length);
     mt_bytes_free(bytes);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
     return 0;
 }
 
@@ -805,5 +797,5 @@ int main(void) {
         cmocka_unit_test(every_allocation_may_fail_in_a_variable_font),
         cmocka_unit_test(no_glyphs_after_want_of_memory),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up, mt_test_tear_down);
 }

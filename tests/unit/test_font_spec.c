@@ -1,15 +1,13 @@
 #include "source/spec.h"
 #include "support/allocation.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/sample.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
-
-static mt_arena arena;
-static char *directory;
 
 static int set_up(void **state) {
     (void)state;
@@ -18,13 +16,6 @@ static int set_up(void **state) {
     directory = mt_sample_directory(&arena);
     for (int i = 0; i < 6; i++) mt_sample_save(mt_sample_path(&arena, directory, names[i]), "x", 1);
     assert_int_equal(mkdir(mt_sample_path(&arena, directory, "font.ttf#7"), 0777), 0);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
     return 0;
 }
 
@@ -237,5 +228,5 @@ int main(void) {
         cmocka_unit_test(bad_axes),         cmocka_unit_test(too_many_axes),
         cmocka_unit_test(missing_files),    cmocka_unit_test(no_memory),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up, mt_test_tear_down);
 }

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/fonts.h"
 #include "support/gsub.h"
 #include "support/random.h"
@@ -33,22 +34,6 @@ typedef struct typed {
     bool vertical;
     int changed; /* how many glyphs, at least, are other ones than the characters' own */
 } typed;
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 /* ---- shaping ------------------------------------------------------------------------------------------- */
 
@@ -478,5 +463,5 @@ int main(void) {
         cmocka_unit_test(vertical),
         cmocka_unit_test(small_capitals_and_old_figures),
     };
-    return cmocka_run_group_tests_name("glyph choice", tests, set_up, tear_down);
+    return cmocka_run_group_tests_name("glyph choice", tests, mt_test_set_up, mt_test_tear_down);
 }

@@ -9,26 +9,11 @@
 #include "layout/at_place.h"
 #include "sfnt/sfnt.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/fonts.h"
 #include "support/gsub.h"
 #include "support/random.h"
 #include "support/sample.h"
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 static mt_font *open_font(int glyph_count, mt_bytes gsub) {
     return mt_test_gsub_font(mt_sample_path(&arena, directory, "font.ttf"), glyph_count, "a", NULL, gsub,
@@ -265,5 +250,5 @@ int main(void) {
         cmocka_unit_test(long_tables_are_divided),
         cmocka_unit_test(damaged_tables),
     };
-    return cmocka_run_group_tests_name("gsub", tests, set_up, tear_down);
+    return cmocka_run_group_tests_name("gsub", tests, mt_test_set_up, mt_test_tear_down);
 }

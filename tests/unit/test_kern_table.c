@@ -3,27 +3,12 @@
 #include "sfnt/sfnt.h"
 #include "support/blending.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/sample.h"
 
 #include <math.h>
 
 enum { FIRST = 0xE000, KERN = MT_TAG('k', 'e', 'r', 'n') };
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 static mt_test_end blank_end(const char *name, int units, int count, uint32_t tag, mt_bytes table) {
     char *path = mt_sample_path(&arena, directory, name);
@@ -159,5 +144,5 @@ int main(void) {
         cmocka_unit_test(apple_tables_are_read),
         cmocka_unit_test(without_partner_a_kerns_alone),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, mt_test_tear_down);
 }

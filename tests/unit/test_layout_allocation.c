@@ -5,6 +5,7 @@
 #include "support/allocation.h"
 #include "support/blending.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/fonts.h"
 #include "support/sample.h"
 #include "support/varying.h"
@@ -12,22 +13,6 @@
 #define INTER "/usr/share/fonts/truetype/inter-vf/Inter.var.ttf"
 
 enum { FIRST = 0x21, GLYPHS = 150 };
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 /* A font of blank glyphs with a table of a real one. */
 static char *save_with(const char *name, const char *source, uint32_t tag) {
@@ -99,5 +84,5 @@ int main(void) {
         cmocka_unit_test(gpos_with_gpos),
         cmocka_unit_test(gpos_with_an_old_table),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, mt_test_tear_down);
 }

@@ -7,6 +7,7 @@
 #include "sfnt/sfnt.h"
 #include "support/blending.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/fonts.h"
 #include "support/sample.h"
 #include "support/varying.h"
@@ -18,22 +19,7 @@
 
 enum { FIRST = 0x21, GLYPHS = 400, CHANGED = 60, CUTS = 40 };
 
-static mt_arena arena;
-static char *directory;
 static uint32_t seed = 99;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 static size_t next_random(size_t below) {
     seed = seed * 1664525u + 1013904223u;
@@ -203,5 +189,5 @@ int main(void) {
         cmocka_unit_test(loops),
         cmocka_unit_test(costs_are_bounded),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, mt_test_tear_down);
 }

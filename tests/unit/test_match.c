@@ -13,25 +13,10 @@
 #include "sfnt/table.h"
 #include "support/allocation.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/gsub.h"
 #include "support/sample.h"
 #include "write/write.h"
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 /* Two fonts of 40 glyphs. A has abcdef as the glyphs 1 … 6, B has fedcba. */
 typedef struct pair {
@@ -501,5 +486,5 @@ int main(void) {
         cmocka_unit_test(without_memory),
         cmocka_unit_test(costs_are_bounded),
     };
-    return cmocka_run_group_tests_name("match", tests, set_up, tear_down);
+    return cmocka_run_group_tests_name("match", tests, mt_test_set_up, mt_test_tear_down);
 }

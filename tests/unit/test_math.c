@@ -5,27 +5,12 @@
 #include "support/allocation.h"
 #include "support/blending.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/sample.h"
 
 #include <string.h>
 
 enum { FIRST = 0xE000, GLYPHS = 6, MATH = MT_TAG('M', 'A', 'T', 'H') };
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 /* ---- sources ------------------------------------------------------------------------------------------- */
 
@@ -268,5 +253,5 @@ int main(void) {
         cmocka_unit_test(the_first_stands_for_what_is_not_there),
         cmocka_unit_test(each_request_may_fail),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, mt_test_tear_down);
 }

@@ -3,6 +3,7 @@
 #include "source/panose.h"
 #include "source/reserved.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/sample.h"
 #include "write/write.h"
 
@@ -10,18 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static mt_arena arena;
-static char *directory;
-
 enum { FONTS_MAX = 100 };
 static mt_font *fonts[FONTS_MAX]; /* closed at the end */
 static int font_count;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
 
 static int tear_down(void **state) {
     (void)state;
@@ -325,5 +317,5 @@ int main(void) {
         cmocka_unit_test(rights_are_warned_of),
         cmocka_unit_test(tables_left_out_are_told),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, tear_down);
 }

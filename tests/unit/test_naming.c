@@ -8,26 +8,11 @@
 #include "glyphset/charset.h"
 #include "support/allocation.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/gsub.h"
 #include "support/sample.h"
 
 enum { GLYPHS = 40 };
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 /* f, i and l are the glyphs 1 to 3. f f and f i are default ligatures; f f i is made of the first of them, i l in a feature that
  * is off, and so is another f i. */
@@ -305,5 +290,5 @@ int main(void) {
         cmocka_unit_test(numbers_of_a_blend),
         cmocka_unit_test(without_memory),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, mt_test_tear_down);
 }

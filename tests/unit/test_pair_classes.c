@@ -2,6 +2,7 @@
 #include "sfnt/sfnt.h"
 #include "support/blending.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/sample.h"
 
 #include <time.h>
@@ -12,22 +13,6 @@ enum {
     DEFAULT = MT_TAG('D', 'F', 'L', 'T'),
     KERN = MT_TAG('k', 'e', 'r', 'n')
 };
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 static uint32_t next_random(uint32_t *state) {
     *state = *state * 1664525u + 1013904223u;
@@ -179,5 +164,5 @@ int main(void) {
         cmocka_unit_test(one_of_them_kerns),
         cmocka_unit_test(a_script_of_the_first_font_alone),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, mt_test_tear_down);
 }

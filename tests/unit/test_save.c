@@ -1,6 +1,7 @@
 #include "save/save.h"
 #include "support/allocation.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/fonts.h"
 #include "support/sample.h"
 
@@ -10,9 +11,6 @@
 #include <unistd.h>
 
 #include "base/folder.h"
-
-static mt_arena arena;
-static char *directory;
 
 typedef struct font_pair {
     mt_font *a, *b;
@@ -45,12 +43,6 @@ static font_pair open_test_pair(void) {
     mt_font_close(mt_test_font(MT_TEST_SERIF));
     mt_assert_ok(open_pair(&made));
     return made;
-}
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
 }
 
 /* Each test leaves the directory empty. */
@@ -166,5 +158,5 @@ int main(void) {
         cmocka_unit_test(nothing_is_in_its_place_before_all_are_made),
         cmocka_unit_test(survives_want_of_memory),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, tear_down);
 }

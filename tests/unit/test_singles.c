@@ -4,25 +4,10 @@
 #include "sfnt/sfnt.h"
 #include "support/blending.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/sample.h"
 
 enum { FIRST = 0xE000, GLYPHS = 60, X_ADVANCE = 4, X_BOTH = 5, CPSP = MT_TAG('c', 'p', 's', 'p') };
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 /* ---- sources ------------------------------------------------------------------------------------------- */
 
@@ -164,5 +149,5 @@ int main(void) {
         cmocka_unit_test(what_only_b_has_is_left_out),
         cmocka_unit_test(required_as_in_the_first),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, mt_test_tear_down);
 }

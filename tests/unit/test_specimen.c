@@ -3,20 +3,12 @@
 #include "specimen/specimen.h"
 #include "support/allocation.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/fonts.h"
 #include "support/sample.h"
 
 #include <string.h>
 #include <unistd.h>
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
 
 /* Each test leaves the directory empty. */
 static int tear_down(void **state) {
@@ -134,5 +126,5 @@ int main(void) {
         cmocka_unit_test(text_in_a_page_is_escaped), cmocka_unit_test(pages_are_known_by_their_extension),
         cmocka_unit_test(survives_want_of_memory),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, tear_down);
 }

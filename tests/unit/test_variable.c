@@ -8,13 +8,11 @@
 #include "sfnt/axis.h"
 #include "support/allocation.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/fonts.h"
 #include "support/sample.h"
 
 enum { FONTS = 3 };
-
-static mt_arena arena;
-static char *directory;
 
 typedef struct font_row {
     mt_font *fonts[FONTS];
@@ -46,12 +44,6 @@ static font_row open_test_row(void) {
     mt_font_close(mt_test_font(MT_TEST_SERIF));
     mt_assert_ok(open_row(&row));
     return row;
-}
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
 }
 
 /* Each test leaves the directory empty. */
@@ -195,5 +187,5 @@ int main(void) {
         cmocka_unit_test(a_document_that_cannot_stand_leaves_nothing),
         cmocka_unit_test(survives_want_of_memory),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, tear_down);
 }

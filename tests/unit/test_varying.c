@@ -10,6 +10,7 @@
 #include "sfnt/sfnt.h"
 #include "support/allocation.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/random.h"
 #include "support/sample.h"
 #include "support/shaping.h"
@@ -17,22 +18,6 @@
 #include "write/write.h"
 
 enum { STOPS_MOST = 4, GLYPHS = 600, UNITS = 1000, FINE = 64 /* of mt_shaping_font */ };
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 /* ---- a varying font ------------------------------------------------------------------------------------ */
 
@@ -341,5 +326,5 @@ int main(void) {
         cmocka_unit_test(lines_are_those_in_use), cmocka_unit_test(figures_that_stay_are_left_out),
         cmocka_unit_test(no_memory_is_told),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, mt_test_tear_down);
 }

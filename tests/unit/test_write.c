@@ -3,6 +3,7 @@
 #include "sfnt/table.h"
 #include "support/allocation.h"
 #include "support/check.h"
+#include "support/fixture.h"
 #include "support/random.h"
 #include "support/sample.h"
 #include "write/extent.h"
@@ -12,22 +13,6 @@
 #include <limits.h>
 #include <math.h>
 #include <string.h>
-
-static mt_arena arena;
-static char *directory;
-
-static int set_up(void **state) {
-    (void)state;
-    directory = mt_sample_directory(&arena);
-    return 0;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    mt_sample_remove(directory);
-    mt_arena_release(&arena);
-    return 0;
-}
 
 static uint8_t *write_font(const mt_font_data *data, size_t *length) {
     uint8_t *bytes;
@@ -806,5 +791,5 @@ int main(void) {
         cmocka_unit_test(tables_stay_failed),
         cmocka_unit_test(every_allocation_may_fail),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, mt_test_set_up, mt_test_tear_down);
 }
