@@ -116,15 +116,35 @@ static bool do_cross(mt_point a, mt_point b, mt_point c, mt_point d) {
     return ((p > 0) != (q > 0)) && p != 0 && q != 0 && ((r > 0) != (s > 0)) && r != 0 && s != 0;
 }
 
+/* The least turn from an extension's sides, which run anticlockwise, to a point given in halves of a grid unit: < 0 inside, 0 on the border. */
+static int64_t outside(const mt_point tip[4], mt_point twice) {
+    int64_t most = INT64_MIN;
+    for (int k = 0; k < 4; k++) {
+        mt_point p = tip[k], q = tip[(k + 1) % 4];
+        int64_t turn = -mt_orient((mt_point){2 * p.x, 2 * p.y}, (mt_point){2 * q.x, 2 * q.y}, twice);
+        if (turn > most) most = turn;
+    }
+    return most;
+}
+
+/* Whether an edge from border to border leads through the extension: along a white as wide as that, sides meet and do not cross. */
+static bool leads_through(mt_point a, mt_point b, const mt_point tip[4]) {
+    return outside(tip, (mt_point){2 * a.x, 2 * a.y}) <= 0 &&
+           outside(tip, (mt_point){2 * b.x, 2 * b.y}) <= 0 &&
+           outside(tip, (mt_point){a.x + b.x, a.y + b.y}) < 0;
+}
+
 /* Whether no edge of the drawing crosses the extension p, p', q', q, and its far corners are in the ink. */
 static bool is_in_ink(const mt_shape *drawn, const mt_point tip[4]) {
     for (int c = 0; c < drawn->count; c++)
         for (int r = 0; r < drawn->components[c].count; r++) {
             const mt_ring *ring = &drawn->components[c].rings[r];
-            for (int i = 0; i < ring->count; i++)
+            for (int i = 0; i < ring->count; i++) {
+                mt_point a = ring->points[i], b = ring->points[(i + 1) % ring->count];
+                if (leads_through(a, b, tip)) return false;
                 for (int k = 0; k < 3; k++)
-                    if (do_cross(ring->points[i], ring->points[(i + 1) % ring->count], tip[k], tip[k + 1]))
-                        return false;
+                    if (do_cross(a, b, tip[k], tip[k + 1])) return false;
+            }
         }
     return mt_is_in_ink(drawn, tip[1]) && mt_is_in_ink(drawn, tip[2]);
 }
