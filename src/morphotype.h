@@ -94,6 +94,12 @@ typedef enum mt_rotation {
     MT_ROTATION_FOUND, /* formula (5), the angle found for each glyph from its components' principal axes */
 } mt_rotation;
 
+/* Glyphs are also compared with this taken off, since an upright and a slanted drawing look less alike than they are. */
+typedef enum mt_slant {
+    MT_SLANT_FOUND, /* measured on the stems of both fonts */
+    MT_SLANT_GIVEN, /* `lean` */
+} mt_slant;
+
 typedef enum mt_method {
     MT_METHOD_JOINT, /* matched components are aligned along their boundaries; the paper's links for the rest
                       */
@@ -110,7 +116,9 @@ typedef struct mt_params {
     bool one_scale; /* formula (3) as printed: both axes by the longer side of the box, not each by its own */
     mt_rotation rotation;
     double degrees; /* q of formula (5), anticlockwise, -360 … 360; read with MT_ROTATION_GIVEN */
-    int threads;    /* that work on a font; 0: as many as the machine has cores */
+    mt_slant slant;
+    double lean; /* by how many degrees B leans to the right of A, -45 … 45; read with MT_SLANT_GIVEN */
+    int threads; /* that work on a font; 0: as many as the machine has cores */
 } mt_params;
 
 MT_API mt_params mt_params_default(void);

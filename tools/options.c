@@ -23,7 +23,7 @@ typedef struct option_row {
 } option_row;
 
 /* The letters that every command takes stand in COMMON. */
-#define COMMON "fjqvhMTwrmsRHP"
+#define COMMON "fjqvhMTwrmsRIHP"
 
 static const option_row rows[] = {
     {'o', true, "output", "FILE", "the file to write"},
@@ -52,6 +52,8 @@ static const option_row rows[] = {
     {'m', false, "threshold", "X", "matches weaker than X times the best count as none (0 ... 1)"},
     {'s', false, "one-scale", NULL, "match pieces with one scale for both axes, as the paper prints it"},
     {'R', false, "rotate", "DEGREES|auto", "turn while blending; auto finds the angle of each glyph"},
+    {'I', false, "slant", "DEGREES|auto",
+     "by how much the second font leans more than the first; auto measures it"},
     {'P', false, "pairs", "FILE", "glyphs that go together, by name or code point, one a font on a line"},
     {'H', false, "hints", "FILE", "which parts and places of both fonts' glyphs go together"},
     {'j', true, "jobs", "N", "threads (1 ... 1024); without it, one a core"},
@@ -172,6 +174,12 @@ static int read_rotation(cli_options *options, const char *argument) {
     return read_double(options, "rotate", argument, -360, 360, &options->params.degrees);
 }
 
+static int read_slant(cli_options *options, const char *argument) {
+    options->params.slant = strcmp(argument, "auto") == 0 ? MT_SLANT_FOUND : MT_SLANT_GIVEN;
+    if (options->params.slant == MT_SLANT_FOUND) return GO_ON;
+    return read_double(options, "slant", argument, -45, 45, &options->params.lean);
+}
+
 static int read_family(cli_options *options, const char *argument) {
     uint32_t code_point;
     const char *p = argument;
@@ -251,6 +259,7 @@ static int read_param(cli_options *options, char letter, const char *argument) {
     case 'm': return read_double(options, "threshold", argument, 0, 1, &params->threshold);
     case 's': return params->one_scale = true, GO_ON;
     case 'R': return read_rotation(options, argument);
+    case 'I': return read_slant(options, argument);
     default: return read_int(options, "jobs", argument, 1, 1024, &params->threads);
     }
 }

@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "base/memory.h"
+#include "blend/pair.h"
 #include "characters_file.h"
 #include "glyphset/font_pair.h"
 #include "hints_file.h"
@@ -276,11 +277,23 @@ static int set_hints(cli_work *work) {
     return outcome;
 }
 
+/* Says how much each font leans more than the one before. */
+static mt_status explain_slant(const cli_work *work, mt_row *row) {
+    if (!work->options->verbose || work->options->params.method == MT_METHOD_PAPER) return MT_OK;
+    mt_status status = mt_row_find_leans(row);
+    for (int i = 0; status == MT_OK && i + 1 < row->font_count; i++)
+        if (row->leans[i] != 0)
+            say("%s: leans %.1f degrees more than %s", work->options->fonts[i + 1], row->leans[i],
+                work->options->fonts[i]);
+    return status;
+}
+
 /* The characters and glyphs chosen; of a whole font, tells what not all fonts have. */
 static mt_status choose(cli_work *work) {
     const characters *chosen = &work->chosen;
     mt_row *row = work->variable ? &work->variable->row : &work->blend->row;
-    if (chosen->order.count == 0) return summarise(work);
+    mt_status status = explain_slant(work, row);
+    if (status != MT_OK || chosen->order.count == 0) return status == MT_OK ? summarise(work) : status;
     return mt_row_choose(row, chosen->order.list, chosen->order.count);
 }
 

@@ -1,6 +1,6 @@
 /* The one place where glyphs are read for a morph and where mt_morph_prepare is called. */
 #include "blend/pair.h"
-
+#include "blend/slant.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
 #include "glyphset/match.h"
@@ -50,20 +50,35 @@ mt_status mt_pair_read_rooms(mt_row *row, int step, uint32_t a, uint32_t b, mt_g
     return status;
 }
 
+mt_status mt_row_find_leans(mt_row *row) {
+    mt_status status = MT_OK;
+    for (int i = 0; status == MT_OK && !row->leans_known && i + 1 < row->font_count; i++)
+        if (row->params.slant == MT_SLANT_GIVEN)
+            row->leans[i] = row->params.lean;
+        else
+            status = mt_slant_between(row->fonts[i], row->fonts[i + 1], &row->leans[i]);
+    row->leans_known = status == MT_OK;
+    return status;
+}
+
 mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,
                           mt_glyph_pair *pair) {
     double tolerance = row->params.tolerance;
     bool alone = b == MT_NO_PARTNER;
     mt_status in_b = MT_OK;
     pthread_mutex_lock(&row->lock);
+    mt_status leans = mt_row_find_leans(row);
     mt_status in_a = mt_glyph_shape(row->fonts[step], a, tolerance, arena, &pair->a, &pair->room_a.advance);
     if (!alone)
         in_b = mt_glyph_shape(row->fonts[step + 1], b, tolerance, arena, &pair->b, &pair->room_b.advance);
     pthread_mutex_unlock(&row->lock);
     pair->at_fault = in_a != MT_OK ? 0 : in_b != MT_OK ? 1 : -1;
     if (in_a != MT_OK || in_b != MT_OK || alone) return in_a != MT_OK ? in_a : in_b;
+    if (leans != MT_OK) return leans;
     mt_hints hints = mt_hint_index_find(row->hints[step], a, b);
-    mt_status status = mt_morph_prepare(&pair->a, &pair->b, &hints, &row->params, arena, &pair->morph);
+    mt_params params = row->params;
+    params.lean = row->leans[step];
+    mt_status status = mt_morph_prepare(&pair->a, &pair->b, &hints, &params, arena, &pair->morph);
     if (status == MT_NO_COUNTERPART) pair->at_fault = pair->a.count > 0;
     return status;
 }

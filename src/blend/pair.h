@@ -28,6 +28,10 @@ mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_are
  * MT_NO_PARTNER for `b` both rooms are A's. MT_NO_MEMORY. */
 mt_status mt_pair_read_rooms(mt_row *row, int step, uint32_t a, uint32_t b, mt_glyph_pair *pair);
 
+/* Fills in by how much each font leans more than the one before, once. Reads the fonts: under the row's lock, or before work begins.
+ * MT_NO_MEMORY. */
+mt_status mt_row_find_leans(mt_row *row);
+
 /* Reads both glyphs' shapes and advances, and prepares their morph by their hints, in the arena; with MT_NO_PARTNER for `b`
  * it reads A's shape and advance alone. A shape that cannot be read is empty. As mt_glyph_shape and mt_morph_prepare. */
 mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,

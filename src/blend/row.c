@@ -19,8 +19,10 @@ mt_status mt_row_open(mt_font *const *fonts, int count, const mt_params *params,
     mt_row made = {.font_count = count,
                    .fonts = mt_new((size_t)count, sizeof *made.fonts),
                    .hints = mt_new((size_t)count, sizeof *made.hints),
+                   .leans = mt_new((size_t)count, sizeof *made.leans),
                    .params = *params};
-    if (!made.fonts || !made.hints) {
+    if (!made.fonts || !made.hints || !made.leans) {
+        mt_free(made.leans);
         mt_free(made.fonts);
         mt_free(made.hints);
         return MT_NO_MEMORY;
@@ -45,6 +47,7 @@ void mt_row_close(mt_row *row) {
     if (!row->fonts) return;
     free_hints(row->hints, row->font_count);
     mt_free(row->fonts);
+    mt_free(row->leans);
     mt_free(row->family);
     free_styles(row->styles, row->style_count);
     mt_free(row->wanted);

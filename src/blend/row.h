@@ -23,6 +23,9 @@ typedef struct mt_row {
     mt_hint_index *
         *hints; /* between each font and the next: font_count - 1 of them; NULL where there are none */
     mt_params params;
+    double *
+        leans; /* between each font and the next, degrees: the params', or measured once a glyph is prepared */
+    bool leans_known;
     char *family; /* NULL: made from the sources' */
     int style_count;
     char **styles; /* of the fonts that are made, in their order; the others' are made from their places */

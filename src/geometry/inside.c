@@ -64,3 +64,20 @@ bool mt_is_deep_in_ink(const mt_shape *shape, mt_point place, double depth) {
     }
     return false;
 }
+
+mt_vector mt_nearest_on_border(const mt_shape *shape, mt_point place) {
+    double least = INFINITY;
+    mt_vector nearest = {place.x, place.y};
+    for (int k = 0; k < shape->count; k++)
+        for (int r = 0; r < shape->components[k].count; r++) {
+            const mt_ring *ring = &shape->components[k].rings[r];
+            for (int i = 0; i < ring->count; i++) {
+                double way[2],
+                    apart = mt_way_to_edge(place, ring->points[i], ring->points[(i + 1) % ring->count], way);
+                if (apart >= least) continue;
+                least = apart;
+                nearest = (mt_vector){place.x + way[0], place.y + way[1]};
+            }
+        }
+    return nearest;
+}

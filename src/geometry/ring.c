@@ -79,14 +79,17 @@ mt_box mt_ring_box(const mt_ring *ring) {
     return box;
 }
 
+mt_box mt_box_around(mt_box p, mt_box q) {
+    extend_box(&p, q.min);
+    extend_box(&p, q.max);
+    return p;
+}
+
 mt_box mt_shape_box(const mt_shape *shape) {
     if (shape->count == 0) return (mt_box){0};
     mt_box all = mt_ring_box(&shape->components[0].rings[0]);
-    for (int i = 1; i < shape->count; i++) {
-        mt_box box = mt_ring_box(&shape->components[i].rings[0]);
-        extend_box(&all, box.min);
-        extend_box(&all, box.max);
-    }
+    for (int i = 1; i < shape->count; i++)
+        all = mt_box_around(all, mt_ring_box(&shape->components[i].rings[0]));
     return all;
 }
 

@@ -63,6 +63,7 @@ double mt_ring_length(const mt_ring *ring); /* grid units */
 /* The smallest upright rectangle around; the box of nothing is (0, 0) to (0, 0). */
 mt_box mt_ring_box(const mt_ring *ring);
 mt_box mt_shape_box(const mt_shape *shape);
+mt_box mt_box_around(mt_box p, mt_box q); /* both */
 
 /* The sides of a box, grid units; at least 1, so that places can be relative to a box without width or height. */
 double mt_box_width(mt_box box);

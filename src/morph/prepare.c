@@ -11,36 +11,10 @@
 
 #include "geometry/limits.h"
 #include "geometry/union.h"
+#include "morph/paper/components.h"
 #include "morph/paper/pieces.h"
-#include "morph/paper/relax.h"
 #include "morph/paper/rotation.h"
-#include "morph/paper/similarity.h"
 #include "morph/trials.h"
-
-/* ---- 2.2.1 mapping the connected components --------------------------------------------------------------- */
-
-static mt_hull *hulls_of(const mt_side *side, mt_arena *arena, mt_status *status) {
-    mt_hull *hulls = mt_arena_new(arena, (size_t)side->shape.count, sizeof *hulls);
-    *status = hulls ? MT_OK : MT_NO_MEMORY;
-    for (int k = 0; *status == MT_OK && k < side->shape.count; k++)
-        *status = mt_hull_of(&side->shape.components[k], side->box, arena, &hulls[k]);
-    return hulls;
-}
-
-static mt_status match_components(mt_morph *morph, const mt_params *params, mt_arena *arena) {
-    int rows = morph->a.shape.count, columns = morph->b.shape.count;
-    mt_status status;
-    mt_hull *in_a = hulls_of(&morph->a, arena, &status);
-    if (status != MT_OK) return status;
-    mt_hull *in_b = hulls_of(&morph->b, arena, &status);
-    if (status != MT_OK) return status;
-    double *s = mt_arena_new(arena, (size_t)rows * (size_t)columns, sizeof *s);
-    if (!s) return MT_NO_MEMORY;
-    for (int i = 0; i < rows; i++)
-        for (int j = 0; j < columns; j++)
-            s[(size_t)i * (size_t)columns + (size_t)j] = mt_similarity(&in_a[i], &in_b[j], params->weights);
-    return mt_match_components(s, rows, columns, params->rounds, params->threshold, arena, &morph->matches);
-}
 
 /* ---- 2.3 formula (5): B turned by -q ------------------------------------------------------------------- */
 
@@ -48,7 +22,7 @@ static mt_status turn_b(mt_morph *morph, const mt_params *params, mt_arena *aren
     if (params->rotation == MT_ROTATION_NONE) return MT_OK;
     morph->degrees = params->degrees;
     if (params->rotation == MT_ROTATION_FOUND) {
-        mt_status status = match_components(morph, params, arena); /* unturned, to compare their axes */
+        mt_status status = mt_match_sides(morph, params, arena); /* unturned, to compare their axes */
         if (status != MT_OK) return status;
         morph->degrees = mt_find_rotation(&morph->a.shape, &morph->b.shape, &morph->matches);
     }
@@ -88,7 +62,7 @@ mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints 
     if ((a->count == 0) != (b->count == 0)) return MT_NO_COUNTERPART;
     if (a->count > MT_COMPONENTS_MAX || b->count > MT_COMPONENTS_MAX) return MT_TOO_LARGE;
     mt_status status = a->count ? turn_b(&made, params, arena) : MT_OK;
-    if (status == MT_OK && a->count) status = match_components(&made, params, arena);
+    if (status == MT_OK && a->count) status = mt_match_sides(&made, params, arena);
     mt_hints turned = {0};
     if (status == MT_OK && hints) status = turn_hints(hints, &made, mt_shape_box(b), arena, &turned);
     if (status != MT_OK) return status;

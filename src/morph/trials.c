@@ -1,14 +1,16 @@
-/* The joint method with one set of settings after the other, until the topology of the in-betweens is right (check/topology.h).
+/* The joint method with one set of settings after the other, until an in-between is right: as many parts and holes on the whole way as its
+ * ends have (check/topology.h), and nothing that an eye would stumble over (check/appearance.h).
  *
- *     settings 0 ── joined ── error 0 ──▶ taken (most glyphs)
- *                       └──── error 4 ── repaired: reconnect, separate ── error 1 ──▶ best so far
- *     settings 1 ── joined as with settings 0 ──▶ skipped
- *     settings 2 ── joined ── error 0 ──▶ taken
+ *     settings 0 ── joined ── looked at: .3 ── parts: 0 ──▶ taken (most glyphs)
+ *                                    └── else best so far, by score and parts
+ *     settings 1 ── joined as with settings 0, or not for this glyph ──▶ skipped
+ *     settings 2 ── joined ── looked at: worse than the best already ──▶ skipped, its parts are not counted
+ *     settings 3 ── joined ── looked at: .6 ── parts: 4 ── repaired: reconnect, separate ── 0 ──▶ taken
  *
- * The one with the least error is taken, the first of equals; where holes open in it, they are closed last, since other settings
- * mostly keep them closed and closing takes long. Work is counted in corners of blends looked at, and ends at MT_EFFORT, so
- * that the result does not depend on the machine. Alignments are kept in one cache for all settings. O(MT_EFFORT log MT_EFFORT) for
- * the checks, and up to 14 divisions and joins. */
+ * If none is right, the one with the least loss is taken, the first of equals; where holes open in it, they are closed last, since
+ * other settings mostly keep them closed and closing takes long. Work is counted in corners of blends looked at, and ends at MT_EFFORT,
+ * so that the result does not depend on the machine. Alignments are kept in one cache for all settings. O(MT_EFFORT log MT_EFFORT)
+ * for the checks, and a division and a join for each set of settings. */
 #include "morph/trials.h"
 
 #include <limits.h>
@@ -17,11 +19,18 @@
 #include "geometry/limits.h"
 #include "morph/align/cache.h"
 #include "morph/align/registration.h"
+#include "morph/check/appearance.h"
 #include "morph/check/counters.h"
 #include "morph/check/reconnect.h"
 #include "morph/check/separate.h"
 #include "morph/join/joint.h"
 #include "morph/paper/pieces.h"
+
+/* Up to here, an appearance is not improved on: a designer's own in-betweens of far corners score .4 to .7. */
+#define SCORE_GOOD 0.8
+/* What a part, or a hole, too many or too few at one place counts beside the score, and how many count. */
+#define PART_LOSS 0.03
+#define PARTS_MOST 40
 
 /* The settings that were tried. */
 typedef struct mt_trials {
@@ -31,12 +40,12 @@ typedef struct mt_trials {
 
 /* ---- one set of settings ---------------------------------------------------------------------------------------------- */
 
-/* Joined and linked; where the joint method fails, by links alone. */
+/* Joined and linked; where the joint method fails, by links alone, unless white was filled. */
 static mt_status join(const mt_morph *matched, const mt_join_context *context, mt_arena *arena,
                       mt_morph *joined) {
     *joined = *matched;
     mt_status status = mt_joint(joined, context, arena);
-    if (status == MT_TOO_LARGE || status == MT_BAD_GEOMETRY) {
+    if (!context->white && (status == MT_TOO_LARGE || status == MT_BAD_GEOMETRY)) {
         *joined = *matched;
         status = MT_OK;
     }
@@ -81,35 +90,80 @@ static bool was_tried(const mt_trials *trials, const mt_morph *morph) {
     return false;
 }
 
-/* Whether settings have less error in parts and holes, and no more in the ink where that is out of bounds. */
-static bool is_better(mt_topology_error tried, mt_topology_error best) {
-    return tried.parts < best.parts && (tried.ink <= MT_INK_EXCESS || tried.ink <= best.ink);
+/* What is lost with a morph: what an eye minds, and a little for each part that is out of the ends' range at one of the places. */
+static double loss_of(double score, const mt_topology_error *error) {
+    return score + PART_LOSS * fmin(error->parts, PARTS_MOST);
+}
+
+typedef struct mt_choice {
+    mt_mending best;
+    double loss;
+    bool right; /* nothing is left to be wished */
+} mt_choice;
+
+/* Joins with one set of settings, and keeps the morph if it is better than the best so far. */
+static mt_status try_settings(const mt_morph *matched, const mt_join_context *context,
+                              const mt_onlooker *onlooker, mt_trials *trials, mt_choice *choice) {
+    mt_mending tried = choice->best;
+    mt_appearance seen;
+    tried.morph = &trials->morphs[trials->count];
+    mt_status status = join(matched, context, tried.arena, tried.morph);
+    if (context->white && (status == MT_TOO_LARGE || status == MT_BAD_GEOMETRY)) return MT_OK;
+    if (status != MT_OK || was_tried(trials, tried.morph)) return status;
+    trials->count++;
+    status = mt_look_at_morph(onlooker, tried.morph, context->params, tried.arena, &seen);
+    double score = mt_appearance_score(&seen);
+    if (status != MT_OK || score >= choice->loss) return status;
+    status = repair(&tried);
+    choice->best.effort = tried.effort;
+    double loss = loss_of(score, &tried.error);
+    bool right = tried.error.parts == 0 && score <= SCORE_GOOD;
+    if (status != MT_OK || (loss >= choice->loss && !right)) return status;
+    *choice = (mt_choice){tried, loss, right};
+    return MT_OK;
+}
+
+/* The morph with the frames of a placing. */
+static mt_morph placed(const mt_morph *morph, const mt_registered *registered, mt_placing placing) {
+    mt_morph made = *morph;
+    made.a.frame = registered->a[placing];
+    made.b.frame = registered->b[placing];
+    return made;
+}
+
+static mt_status try_all(const mt_morph *morph, const mt_hints *hints, const mt_params *params,
+                         mt_trials *trials, mt_choice *choice) {
+    mt_arena *arena = choice->best.arena;
+    mt_alignment_cache *cache = mt_arena_new(arena, 1, sizeof *cache);
+    mt_registered registered;
+    mt_onlooker *onlooker;
+    mt_white white;
+    if (!cache) return MT_NO_MEMORY;
+    mt_settings first = mt_settings_at(0, params);
+    first.cache = cache;
+    mt_status status = mt_register(&morph->a, &morph->b, params->lean, &first, arena, &registered);
+    if (status == MT_OK) status = mt_look_at_ends(morph, arena, &onlooker);
+    if (status == MT_OK) status = mt_find_white(&morph->a.shape, &morph->b.shape, arena, &white);
+    for (int i = 0; status == MT_OK && i < mt_settings_count(); i++) {
+        mt_join_context context = {hints, params, mt_settings_at(i, params), &white};
+        if (choice->right || choice->best.effort <= 0) break;
+        if (!registered.applies[context.settings.placing] || (context.settings.fills && white.count == 0))
+            continue;
+        if (!context.settings.fills) context.white = NULL;
+        context.settings.cache = cache;
+        mt_morph matched = placed(morph, &registered, context.settings.placing);
+        status = try_settings(&matched, &context, onlooker, trials, choice);
+    }
+    return status;
 }
 
 mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
     mt_trials trials = {0, mt_arena_new(arena, (size_t)mt_settings_count(), sizeof(mt_morph))};
-    mt_alignment_cache *cache = mt_arena_new(arena, 1, sizeof *cache);
-    mt_mending best = {morph, params, arena, {.parts = INT_MAX, .ink = INFINITY}, MT_EFFORT};
-    if (!cache || !trials.morphs) return MT_NO_MEMORY;
-    mt_settings first = mt_settings_at(0, params);
-    first.cache = cache;
-    mt_status status = mt_register(&morph->a, &morph->b, &first, arena);
-    if (status != MT_OK) return status;
-    for (int i = 0; i < mt_settings_count() && mt_mend_goes_on(&best); i++) {
-        mt_join_context context = {hints, params, mt_settings_at(i, params)};
-        context.settings.cache = cache;
-        mt_mending tried = best;
-        tried.morph = &trials.morphs[trials.count];
-        status = join(morph, &context, arena, tried.morph);
-        if (status != MT_OK) return status;
-        if (was_tried(&trials, tried.morph)) continue;
-        trials.count++;
-        status = repair(&tried);
-        if (status != MT_OK) return status;
-        best.effort = tried.effort;
-        if (is_better(tried.error, best.error)) best = tried;
-    }
-    status = best.error.opened > 0 ? mt_keep_counters(&best) : MT_OK;
-    if (status == MT_OK) *morph = *best.morph;
+    mt_choice choice = {
+        {morph, params, arena, {.parts = INT_MAX, .ink = INFINITY}, MT_EFFORT}, INFINITY, false};
+    if (!trials.morphs) return MT_NO_MEMORY;
+    mt_status status = try_all(morph, hints, params, &trials, &choice);
+    if (status == MT_OK && choice.best.error.opened > 0) status = mt_keep_counters(&choice.best);
+    if (status == MT_OK) *morph = *choice.best.morph;
     return status;
 }

@@ -131,14 +131,15 @@ static void a_with_itself_is_a(void **state) {
     assert_true(100 * exact >= 95 * cases);
 }
 
-/* By the joint method curves are fitted to both ends, each within the tolerance of the fit. */
+/* By the joint method curves are fitted to both ends, each within the tolerance of the fit; what only one end has is at the other a line
+ * that may be a thousandth of the em wide (morph/join/closing.c). */
 static void the_ends_by_the_joint_method(void **state) {
     (void)state;
     for (int i = 0; i < mt_test_cases(60); i++) {
         trial t;
         begin(&t, "the_ends_by_the_joint_method", i, 3, 30);
         t.params.method = MT_METHOD_JOINT;
-        double far = (t.params.fit + t.params.tolerance) * MT_EM / 1000 + NEAR;
+        double far = (t.params.fit + t.params.tolerance + 1) * MT_EM / 1000 + NEAR;
         mt_shape at_a = blend_of(&t.a, &t.b, &t, mt_weights_at(0)),
                  at_b = blend_of(&t.a, &t.b, &t, mt_weights_at(1));
         check_near(&at_a, &t.a, far, &t.subject);

@@ -37,6 +37,15 @@ static mt_side side_of(mt_shape shape) {
     return (mt_side){.whole = shape, .shape = shape, .box = box, .frame = mt_frame_of_box(box)};
 }
 
+/* Sets the frames of a placing. *applies: it is one for these two. */
+static void place(mt_side *a, mt_side *b, double lean, mt_placing placing, bool *applies) {
+    mt_registered registered;
+    mt_assert_ok(mt_register(a, b, lean, &settings, &arena, &registered));
+    a->frame = registered.a[placing];
+    b->frame = registered.b[placing];
+    *applies = registered.applies[placing];
+}
+
 /* How far each vertex is seen from where the same one of the other letter is, at most. */
 static double farthest(const mt_side *a, const mt_side *b) {
     mt_ring_samples in_a, in_b;
@@ -56,19 +65,50 @@ static void wholes_that_differ_are_registered(void **state) {
     (void)state;
     mt_side a = side_of(letter(20, 600, 0)), b = side_of(letter(140, 400, 0.2));
     double before = farthest(&a, &b);
-    mt_assert_ok(mt_register(&a, &b, &settings, &arena));
+    bool applies;
+    place(&a, &b, 0, MT_REGISTERED, &applies);
     assert_true(before > 0.2 && farthest(&a, &b) < 0.4 * before);
 }
 
 static void either_may_come_first(void **state) {
     (void)state;
-    mt_side a = side_of(letter(20, 600, 0)), b = side_of(letter(140, 400, 0.2)), c = a, d = b;
-    mt_assert_ok(mt_register(&a, &b, &settings, &arena));
-    mt_assert_ok(mt_register(&d, &c, &settings, &arena));
-    for (int i = 0; i < 4; i++) {
-        assert_true(a.frame.x[i] == c.frame.x[i] && a.frame.y[i] == c.frame.y[i]);
-        assert_true(b.frame.x[i] == d.frame.x[i] && b.frame.y[i] == d.frame.y[i]);
+    for (int placing = 0; placing < MT_PLACINGS; placing++) {
+        mt_side a = side_of(letter(20, 600, 0)), b = side_of(letter(140, 400, 0.2)), c = a, d = b;
+        bool applies, swapped;
+        place(&a, &b, 11, (mt_placing)placing, &applies);
+        place(&d, &c, -11, (mt_placing)placing, &swapped);
+        assert_true(applies && swapped);
+        for (int i = 0; i < 4; i++) {
+            assert_true(a.frame.x[i] == c.frame.x[i] && a.frame.y[i] == c.frame.y[i]);
+            assert_true(b.frame.x[i] == d.frame.x[i] && b.frame.y[i] == d.frame.y[i]);
+        }
     }
+}
+
+/* One letter upright and slanted: its vertices fall together once the slant is taken off, and there is none to take off without one. */
+static void a_slant_is_taken_off(void **state) {
+    (void)state;
+    mt_side a = side_of(letter(80, 500, 0)), b = side_of(letter(80, 500, 0.25));
+    bool applies;
+    place(&a, &b, atan(0.25) * 180 / M_PI, MT_LEANING, &applies);
+    assert_true(applies && farthest(&a, &b) < 0.01);
+    place(&a, &b, 0, MT_LEANING, &applies);
+    assert_true(!applies && farthest(&a, &b) > 0.1);
+}
+
+/* Laid on one another, a letter half as large is seen as near the middle as it is drawn. */
+static void letters_are_laid_on_one_another(void **state) {
+    (void)state;
+    const int large[][2] = {{0, 0}, {600, 0}, {600, 700}, {0, 700}},
+              small[][2] = {{1150, 0}, {1450, 0}, {1450, 350}, {1150, 350}};
+    mt_ring rings[] = {mt_test_ring_of(&arena, large, 4, UNIT), mt_test_ring_of(&arena, small, 4, UNIT)};
+    mt_component whole[] = {{1, &rings[0]}, {1, &rings[1]}};
+    mt_side a = side_of((mt_shape){1, &whole[0]}), b = side_of((mt_shape){1, &whole[1]});
+    bool applies;
+    place(&a, &b, 0, MT_LAID, &applies);
+    mt_sample_view of_a = mt_view_of_place(&a.frame, 450 * UNIT, 350 * UNIT),
+                   of_b = mt_view_of_place(&b.frame, 1450 * UNIT, 350 * UNIT);
+    assert_true(applies && fabs(of_a.x - of_b.x) < 1e-9 && fabs(of_a.y - of_b.y) < 1e-9);
 }
 
 /* A letter in two halves, as stencils have it, and a whole one: the half that has a partner does not tell where the whole goes. */
@@ -86,7 +126,8 @@ static void halves_keep_their_boxes(void **state) {
     mt_ring ring = mt_test_ring_of(&arena, points, 4, UNIT);
     mt_component whole = {1, &ring};
     mt_side a = side_of((mt_shape){2, halves}), b = side_of((mt_shape){1, &whole});
-    mt_assert_ok(mt_register(&a, &b, &settings, &arena));
+    bool applies;
+    place(&a, &b, 0, MT_REGISTERED, &applies);
     assert_true(a.frame.x[1] == 1 && a.frame.x[2] == 0 && b.frame.x[1] == 1 && b.frame.x[3] == 0);
 }
 
@@ -115,6 +156,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(wholes_that_differ_are_registered),
         cmocka_unit_test(either_may_come_first),
+        cmocka_unit_test(a_slant_is_taken_off),
+        cmocka_unit_test(letters_are_laid_on_one_another),
         cmocka_unit_test(halves_keep_their_boxes),
         cmocka_unit_test(lifted_length_is_shared_out),
     };

@@ -5,8 +5,8 @@
  * The first evidence comes from an alignment with little weight on places, which the boxes alone do not tell. Evidence is a step whose
  * headings agree; it weighs what its samples do by lifted length. Along each axis, the place on B is fitted to 1, u, v and the normal on
  * A by iteratively reweighted least squares with Cauchy's weights, which let what is drawn otherwise count little (P. W. Holland and
- * R. E. Welsch, "Robust regression using iteratively reweighted least squares", 1977). The map with the cheapest alignment is kept, if
- * rings had partners, it explains enough, and all of A reaches as far as all of B with it; else the boxes. Invariants: a map neither turns nor mirrors; swapping A and B swaps the result. Costs four alignments
+ * R. E. Welsch, "Robust regression using iteratively reweighted least squares", 1977). The map with the cheapest alignment is the one to begin
+ * with, if rings had partners, it explains enough, and all of A reaches as far as all of B with it; else the boxes are. Invariants: a map neither turns nor mirrors; swapping A and B swaps the result. Costs four alignments
  * of at least SAMPLES samples for each pair of rings, and the pairing. */
 #include "morph/align/registration.h"
 
@@ -40,6 +40,12 @@ typedef struct mt_evidence {
     double from[2][4], to[2];
     double weight;
 } mt_evidence;
+
+/* Maps of A's places. */
+typedef struct mt_maps {
+    bool found;
+    mt_frame last, best; /* the last that was found, if any; the one to begin with */
+} mt_maps;
 
 /* How far the ink reaches in a frame. */
 typedef struct mt_extents {
@@ -236,11 +242,14 @@ static bool carry_headings(mt_frame *carried, const mt_frame *other) {
     return true;
 }
 
-static void fit_map(mt_registration *r) {
+/* Whether a map was found; else the boxes carry. */
+static bool fit_map(mt_registration *r) {
     mt_frame made = r->box_a;
     fit_axis(r, 0, made.x);
     fit_axis(r, 1, made.y);
-    r->carried = carry_headings(&made, &r->box_b) ? made : r->box_a;
+    bool found = carry_headings(&made, &r->box_b);
+    r->carried = found ? made : r->box_a;
+    return found;
 }
 
 /* ---- extents ------------------------------------------------------------------------------------------------------- */
@@ -277,7 +286,7 @@ static mt_status reaches_alike(const mt_registration *r, bool *alike) {
     return status;
 }
 
-/* ---- all of it ----------------------------------------------------------------------------------------------------- */
+/* ---- the best map -------------------------------------------------------------------------------------------------- */
 
 /* Aligns all pairs in the frames that hold, for evidence. *cost: the mean of the alignments'. */
 static mt_status look(mt_registration *r, double *cost) {
@@ -289,7 +298,7 @@ static mt_status look(mt_registration *r, double *cost) {
 }
 
 /* The map of most use: boundaries are less apart with it than as their boxes lie. */
-static mt_status fit_best(mt_registration *r, mt_frame *best) {
+static mt_status fit_maps(mt_registration *r, mt_maps *maps) {
     mt_cost_weights weights = r->weights;
     double cost, least;
     mt_status status = look(r, &least);
@@ -299,21 +308,68 @@ static mt_status fit_best(mt_registration *r, mt_frame *best) {
     r->weights = weights;
     for (int pass = 0; status == MT_OK && pass < PASSES; pass++) {
         bool alike = false;
-        fit_map(r);
+        if (fit_map(r)) {
+            maps->last = r->carried;
+            maps->found = true;
+        }
         status = look(r, &cost);
         if (status == MT_OK && cost < least) status = reaches_alike(r, &alike);
-        if (!alike) continue;
+        if (!alike || r->paired < PAIRED_LEAST) continue;
         least = cost;
-        *best = r->carried;
+        maps->best = r->carried;
     }
     return status;
 }
 
-static mt_status find_map(mt_registration *r, const mt_settings *settings, mt_frame *best) {
-    *best = r->box_a;
+static mt_status find_maps(mt_registration *r, const mt_settings *settings, mt_maps *maps) {
+    *maps = (mt_maps){.best = r->box_a};
     mt_status status = pair_all(r, settings);
-    return status == MT_OK && r->paired >= PAIRED_LEAST ? fit_best(r, best) : status;
+    return status == MT_OK && r->pair_count > 0 ? fit_maps(r, maps) : status;
 }
+
+/* ---- placings without a map ---------------------------------------------------------------------------------------- */
+
+/* Both boxes with their middles on one another, as one box around both: places are apart as on the page. */
+static void lay(const mt_side *a, const mt_side *b, mt_registered *made) {
+    mt_box p = a->box, q = b->box;
+    int32_t shift = (p.min.x + p.max.x - q.min.x - q.max.x) / 2;
+    mt_box both = mt_box_around(p, (mt_box){{q.min.x + shift, q.min.y}, {q.max.x + shift, q.max.y}});
+    made->a[MT_LAID] = mt_frame_of_box(both);
+    made->b[MT_LAID] =
+        mt_frame_of_box((mt_box){{both.min.x - shift, both.min.y}, {both.max.x - shift, both.max.y}});
+    made->applies[MT_LAID] = true;
+}
+
+/* The frame of a side that is slanted first: each place moves to the right by `tangent` of its height. */
+static mt_frame slanted_frame(const mt_side *side, double tangent) {
+    double low = INFINITY, high = -INFINITY;
+    for (int k = 0; k < side->shape.count; k++)
+        for (int i = 0; i < side->shape.components[k].rings[0].count; i++) {
+            mt_point p = side->shape.components[k].rings[0].points[i];
+            low = fmin(low, p.x + tangent * p.y);
+            high = fmax(high, p.x + tangent * p.y);
+        }
+    double width = mt_box_width(side->box), height = mt_box_height(side->box);
+    double across = mt_frame_side(width, height), up = mt_frame_side(height, width),
+           slanted = mt_frame_side(fmax(1, high - low), height);
+    double x = side->box.min.x + width / 2, y = side->box.min.y + height / 2;
+    mt_frame made = mt_frame_of_box(side->box);
+    made.x[0] = (x + tangent * y - (low + high) / 2) / slanted;
+    made.x[1] = across / slanted;
+    made.x[2] = tangent * up / slanted;
+    made.heading[1] = tangent;
+    return made;
+}
+
+/* Half of the slant is taken off on either side, so that swapping A and B swaps the result. */
+static void lean(const mt_side *a, const mt_side *b, double degrees, mt_registered *made) {
+    double half = tan(degrees * (M_PI / 180)) / 2;
+    made->applies[MT_LEANING] = degrees != 0;
+    made->a[MT_LEANING] = slanted_frame(a, half);
+    made->b[MT_LEANING] = slanted_frame(b, -half);
+}
+
+/* ---- which is carried ---------------------------------------------------------------------------------------------- */
 
 static int64_t compare_rings(const mt_ring *a, const mt_ring *b) {
     if (a->count != b->count) return a->count - b->count;
@@ -336,9 +392,10 @@ static int64_t compare(const mt_shape *p, const mt_shape *q) {
     return order;
 }
 
-mt_status mt_register(mt_side *a, mt_side *b, const mt_settings *settings, mt_arena *arena) {
+mt_status mt_register(const mt_side *a, const mt_side *b, double degrees, const mt_settings *settings,
+                      mt_arena *arena, mt_registered *made) {
     bool turned = compare(&a->shape, &b->shape) > 0;
-    mt_side *first = turned ? b : a, *second = turned ? a : b;
+    const mt_side *first = turned ? b : a, *second = turned ? a : b;
     mt_registration r = {.box_a = mt_frame_of_box(first->box),
                          .box_b = mt_frame_of_box(second->box),
                          .a = &first->shape,
@@ -346,11 +403,19 @@ mt_status mt_register(mt_side *a, mt_side *b, const mt_settings *settings, mt_ar
                          .weights = settings->align,
                          .flatness = settings->flatness,
                          .arena = arena};
+    mt_maps maps;
     r.carried = r.box_a;
-    mt_frame found;
-    mt_status status = find_map(&r, settings, &found);
-    first->frame = status == MT_OK ? found : r.box_a;
-    second->frame = r.box_b;
-    assert(mt_frame_is_valid(&first->frame) && mt_frame_is_valid(&second->frame));
+    mt_status status = find_maps(&r, settings, &maps);
+    if (status != MT_OK) maps = (mt_maps){.best = r.box_a};
+    mt_frame *in_first = turned ? made->b : made->a, *in_second = turned ? made->a : made->b;
+    in_first[MT_REGISTERED] = maps.best;
+    in_first[MT_MAPPED] = maps.found ? maps.last : r.box_a;
+    in_second[MT_REGISTERED] = in_second[MT_MAPPED] = r.box_b;
+    made->applies[MT_REGISTERED] = true;
+    made->applies[MT_MAPPED] = maps.found;
+    lay(a, b, made);
+    lean(a, b, degrees, made);
+    for (int i = 0; i < MT_PLACINGS; i++)
+        assert(mt_frame_is_valid(&made->a[i]) && mt_frame_is_valid(&made->b[i]));
     return status == MT_TOO_LARGE ? MT_OK : status;
 }

@@ -1,75 +1,16 @@
-/* Holes of two parts: paired, slit open, or closed.
+/* Holes of two parts: paired, or slit open.
  *
  *     ┌──────┐  paired: mt_pair_rings, at any cost, so that as many holes as can be have a counterpart
  *     │ o  h │  slit:   h has none, and opening it into another ring makes that ring align better (slit.c); then again from the start
- *     └──────┘  closed: h shrinks to one point, the barycentre of the piece of the other part's ink nearest to its own place
+ *     └──────┘
  *
- * Invariants: the side with more ink is looked at first, so that swapping A and B swaps the result; a closed ring ends within the ink.
+ * Invariants: the side with more ink is looked at first, so that swapping A and B swaps the result.
  * O(h²) alignments for h holes, again after each slit. */
 #include "morph/join/holes.h"
 
-#include <assert.h>
 #include <math.h>
 
-#include "geometry/decompose.h"
-#include "geometry/limits.h"
 #include "morph/divide/slit.h"
-
-/* ---- rings without a counterpart ----------------------------------------------------------------------- */
-
-/* The barycentre of a ring, relative to its glyph's box. */
-static void place_of(const mt_ring *ring, mt_box box, double *x, double *y) {
-    mt_ring_centre(ring, x, y);
-    *x = (*x - box.min.x) / mt_box_width(box);
-    *y = (*y - box.min.y) / mt_box_height(box);
-}
-
-static double apart(const mt_ring *p, mt_box box_p, const mt_ring *q, mt_box box_q) {
-    double px, py, qx, qy;
-    place_of(p, box_p, &px, &py);
-    place_of(q, box_q, &qx, &qy);
-    return hypot(px - qx, py - qy);
-}
-
-/* A point in the ink: the barycentre of the piece nearest to the ring's own place. A piece is convex and contains its barycentre. */
-static mt_status point_inside(const mt_ring *ring, mt_box box, const mt_shape *ink, mt_box ink_box,
-                              mt_arena *arena, mt_point *found) {
-    double least = INFINITY;
-    for (int k = 0; k < ink->count; k++) {
-        mt_pieces pieces;
-        mt_status status = mt_decompose(&ink->components[k], arena, &pieces);
-        if (status != MT_OK) return status;
-        for (int i = 0; i < pieces.count; i++) {
-            double x, y, d = apart(ring, box, &pieces.rings[i], ink_box);
-            if (d >= least) continue;
-            least = d;
-            mt_ring_centre(&pieces.rings[i], &x, &y);
-            *found = (mt_point){(int32_t)lround(x), (int32_t)lround(y)};
-        }
-    }
-    return MT_OK;
-}
-
-mt_status mt_close_ring(const mt_ring *ring, bool in_a, const mt_closing *c, mt_arena *arena,
-                        mt_contour_pair *masters) {
-    mt_rings one = {1, (mt_ring *)ring};
-    mt_outline outline;
-    mt_point point = {0, 0};
-    *masters = (mt_contour_pair){0};
-    mt_status status =
-        mt_fit(&one, mt_grid_units(c->params->tolerance), mt_grid_units(c->params->fit), arena, &outline);
-    if (status != MT_OK || outline.count == 0) return status;
-    status = point_inside(ring, c->box, c->ink, c->ink_box, arena, &point);
-    if (status != MT_OK) return status;
-    mt_contour open = outline.contours[0],
-               shut = {open.count, mt_arena_new(arena, (size_t)open.count, sizeof(mt_segment))};
-    if (!shut.segments) return MT_NO_MEMORY;
-    for (int i = 0; i < shut.count; i++)
-        shut.segments[i] = (mt_segment){open.segments[i].degree, {point}, point};
-    *masters = in_a ? (mt_contour_pair){.a = open, .b = shut} : (mt_contour_pair){.a = shut, .b = open};
-    assert(mt_contour_pair_is_valid(masters));
-    return MT_OK;
-}
 
 /* ---- pairing holes ------------------------------------------------------------------------------------- */
 

@@ -1,7 +1,7 @@
 /* One pair of parts joined: a contour pair for each pair of rings.
  *
  *     A ┌──────┐       B ╭──────╮     outer with outer, o with o': aligned (align.c) and fitted (contour_pair.c)
- *       │ o  h │         │ o'   │     h has no counterpart: slit open (slit.c), or it closes to a point in B's ink
+ *       │ o  h │         │ o'   │     h has no counterpart: slit open (slit.c), or it closes (closing.c)
  *       └──────┘         ╰──────╯
  *
  * Parts that are the same points, shifted, are not aligned: one fit serves both, so that theorem 1 of section 2.3 holds for them exactly.
@@ -17,6 +17,7 @@
 #include "morph/align/cache.h"
 #include "morph/fit/contour_pair.h"
 #include "morph/fit/smooth.h"
+#include "morph/join/closing.h"
 #include "morph/join/holes.h"
 
 /* Samples of a ring that are aligned, at least; more where the drawing has more vertices. */
@@ -129,29 +130,34 @@ static mt_status join_equal(const mt_joining *j, mt_point by, mt_contour_pair *c
 
 /* ---- parts --------------------------------------------------------------------------------------------- */
 
-static mt_status close_hole(const mt_joining *j, const mt_ring *hole, bool in_a, mt_contour_pair *contours,
-                            int *count) {
+/* A hole without a counterpart closes, carried by the contours that the part has by then. */
+static mt_status close_holes(const mt_joining *j, const int *partner, bool in_a,
+                             const mt_contour_pair *around, int around_count, mt_contour_pair *contours,
+                             int *count) {
     const mt_part *own = in_a ? &j->a : &j->b, *other = in_a ? &j->b : &j->a;
     mt_shape ink = {1, (mt_component *)other->component};
-    mt_closing closing = {own->frame.box, &ink, other->frame.box, j->context->params};
-    mt_status status = mt_close_ring(hole, in_a, &closing, j->arena, &contours[*count]);
-    *count += status == MT_OK && contours[*count].a.count > 0;
+    mt_closing closing = {.in_a = in_a, .ink = &ink, .params = j->context->params};
+    mt_status status = mt_carrier_of(around, around_count, in_a, own->frame.box, other->frame.box, j->arena,
+                                     &closing.carrier);
+    for (int i = 1; status == MT_OK && i < own->component->count; i++)
+        if (!partner[i])
+            status = mt_close_region(&(mt_rings){1, &own->component->rings[i]}, &closing, j->arena, contours,
+                                     count);
     return status;
 }
 
 static mt_status join_all(mt_joining *j, mt_contour_pair *contours, int *count) {
     mt_hole_pairs pairs;
+    mt_contour_pair *around = contours + *count;
     mt_status status = mt_pair_holes(j, &pairs);
     const mt_component *a = j->a.component, *b = j->b.component;
     if (status == MT_OK) status = join_rings(j, &a->rings[0], &b->rings[0], &contours[(*count)++]);
     for (int i = 1; status == MT_OK && i < a->count; i++)
         if (pairs.in_b[i])
             status = join_rings(j, &a->rings[i], &b->rings[pairs.in_b[i]], &contours[(*count)++]);
-        else
-            status = close_hole(j, &a->rings[i], true, contours, count);
-    for (int i = 1; status == MT_OK && i < b->count; i++)
-        if (!pairs.in_a[i]) status = close_hole(j, &b->rings[i], false, contours, count);
-    return status;
+    int joined = (int)(contours + *count - around);
+    if (status == MT_OK) status = close_holes(j, pairs.in_b, true, around, joined, contours, count);
+    return status == MT_OK ? close_holes(j, pairs.in_a, false, around, joined, contours, count) : status;
 }
 
 mt_status mt_join(mt_part a, mt_part b, double most, const mt_join_context *context, mt_arena *arena,

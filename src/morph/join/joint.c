@@ -14,8 +14,9 @@
 #include "morph/divide/extended_cuts.h"
 #include "morph/divide/reconcile.h"
 #include "morph/fit/contour_pair.h"
-#include "morph/join/holes.h"
+#include "morph/join/closing.h"
 #include "morph/join/join.h"
+#include "morph/paper/components.h"
 
 /* The most that aligning two components as they are may cost before cutting is tried, … */
 #define PLAIN_MOST 0.8
@@ -105,22 +106,20 @@ static mt_status match_parts(mt_join_state *state, const mt_cut_side *a, const m
     return MT_OK;
 }
 
-/* Parts that only one side has left grow out of the ink of the other. */
+/* Parts that only one side has left are born where they stand, carried by the contours around them. */
 static mt_status join_rest(mt_join_state *state, const mt_cut_side *cut, bool in_a) {
     mt_morph *m = state->morph;
     mt_side *side = in_a ? &m->a : &m->b, *other = in_a ? &m->b : &m->a;
-    mt_closing closing = {side->box, &other->whole, other->box, state->context->params};
-    for (int k = 0; k < cut->parts.count; k++) {
-        const mt_component *component = &cut->parts.components[k];
-        for (int i = 0; i < component->count && cut->partner[k] < 0; i++) {
-            mt_status status = mt_close_ring(&component->rings[i], in_a, &closing, state->arena,
-                                             &m->contours[m->contour_count]);
-            if (status != MT_OK) return status;
-            m->contour_count += m->contours[m->contour_count].a.count > 0;
-            side->aligned[k] = true;
-        }
+    mt_closing closing = {.in_a = in_a, .params = state->context->params};
+    mt_status status = mt_carrier_of(m->contours, m->contour_count, in_a, side->box, other->box, state->arena,
+                                     &closing.carrier);
+    for (int k = 0; status == MT_OK && k < cut->parts.count; k++) {
+        if (cut->partner[k] >= 0) continue;
+        status = mt_close_region(&cut->parts.components[k], &closing, state->arena, m->contours,
+                                 &m->contour_count);
+        side->aligned[k] = true;
     }
-    return MT_OK;
+    return status;
 }
 
 /* Whether both sides have more parts than either has components: in-betweens would have more components than both ends. */
@@ -183,8 +182,39 @@ static int compare_contours(const void *p, const void *q) {
     return x != 0 ? (x > 0) - (x < 0) : (y > 0) - (y < 0);
 }
 
+/* ---- narrow white ---------------------------------------------------------------------------------------------- */
+
+/* Appends the white that was filled: it closes, carried by all contours. */
+static mt_status open_white(mt_morph *m, const mt_white *white, const mt_params *params, mt_arena *arena) {
+    mt_contour_pair *all = mt_arena_new(arena, (size_t)(m->contour_count + white->ring_count), sizeof *all);
+    if (!all) return MT_NO_MEMORY;
+    for (int i = 0; i < m->contour_count; i++) all[i] = m->contours[i];
+    mt_side *own = white->in_a ? &m->a : &m->b, *other = white->in_a ? &m->b : &m->a;
+    mt_closing closing = {.in_a = white->in_a, .ink = &other->whole, .params = params};
+    mt_status status = mt_carrier_of(m->contours, m->contour_count, white->in_a, own->box, other->box, arena,
+                                     &closing.carrier);
+    m->contours = all;
+    for (int i = 0; status == MT_OK && i < white->count; i++)
+        status = mt_close_region(&white->regions[i], &closing, arena, m->contours, &m->contour_count);
+    return status;
+}
+
+/* Narrow white that one side has more of than the other is filled first, and laid over the contours again. */
+static mt_status join_filled(mt_morph *m, const mt_join_context *context, mt_arena *arena) {
+    const mt_white *white = context->white;
+    if (white->in_a)
+        m->a.shape = white->filled;
+    else
+        m->b.shape = white->filled;
+    mt_status status = mt_match_sides(m, context->params, arena);
+    if (status == MT_OK) status = join_all(m, context, arena);
+    if (status != MT_OK) return status;
+    bool drawn = all_aligned(&m->a) && all_aligned(&m->b); /* over sums of pieces, white would not be seen */
+    return drawn ? open_white(m, white, context->params, arena) : MT_BAD_GEOMETRY;
+}
+
 mt_status mt_joint(mt_morph *morph, const mt_join_context *context, mt_arena *arena) {
-    mt_status status = join_all(morph, context, arena);
+    mt_status status = context->white ? join_filled(morph, context, arena) : join_all(morph, context, arena);
     if (status == MT_OK)
         qsort(morph->contours, (size_t)morph->contour_count, sizeof *morph->contours, compare_contours);
     return status;

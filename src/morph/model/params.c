@@ -14,6 +14,8 @@ mt_params mt_params_default(void) {
         .one_scale = false,
         .rotation = MT_ROTATION_NONE,
         .degrees = 0,
+        .slant = MT_SLANT_FOUND,
+        .lean = 0,
         .threads = 0,
     };
 }
@@ -25,9 +27,11 @@ static bool within(double value, double low, double high) {
 mt_status mt_params_check(const mt_params *params) {
     bool fine = within(params->tolerance, 0.05, 10) && within(params->fit, 0.05, 10) &&
                 within(params->threshold, 0, 1) && within(params->degrees, -360, 360) &&
-                params->rounds >= 0 && params->rounds <= 1000 && params->threads >= 0 &&
-                params->rotation >= MT_ROTATION_NONE && params->rotation <= MT_ROTATION_FOUND &&
-                params->method >= MT_METHOD_JOINT && params->method <= MT_METHOD_PAPER;
+                within(params->lean, -45, 45) && params->slant >= MT_SLANT_FOUND &&
+                params->slant <= MT_SLANT_GIVEN && params->rounds >= 0 && params->rounds <= 1000 &&
+                params->threads >= 0 && params->rotation >= MT_ROTATION_NONE &&
+                params->rotation <= MT_ROTATION_FOUND && params->method >= MT_METHOD_JOINT &&
+                params->method <= MT_METHOD_PAPER;
     double sum = 0;
     for (int i = 0; i < 3; i++) {
         fine = fine && within(params->weights[i], 0, 1);

@@ -1,0 +1,135 @@
+/* Three measures at T = .25, .5 and .75.
+ *
+ * Strays: how far the ink is from where it would be if it took the shortest way from A to B, or in part faded here and grew there, as
+ * it does where contrast changes. In one dimension the shortest way leads each share of the ink from its place in A straight to that in B
+ * (optimal transport); in two, ink is projected on MT_DIRECTIONS directions (J. Rabin, G. Peyré, J. Delon and M. Bernot, "Wasserstein
+ * barycenter and its application to texture mixing", 2011). Held against are mixes of the way and the fading; the least root mean square
+ * of what places are off by is the measure. Blobs, strokes that travel or break, and parts born in the wrong place leave that way.
+ *
+ * Clots: the largest disc in the ink against the largest of both ends. Ink: its area, out of the range of both ends'. */
+#include "morph/check/appearance.h"
+
+#include <math.h>
+
+#include "geometry/disc.h"
+#include "geometry/limits.h"
+#include "geometry/union.h"
+#include "morph/between/instance.h"
+#include "morph/check/projection.h"
+#include "morph/check/topology.h"
+
+/* What an eye stumbles over: found on glyphs that were judged by eye first. */
+#define STRAYS_MOST 12.0 /* 1/1000 em */
+#define CLOTS_MOST 0.15  /* by how much the disc is larger */
+#define INK_MOST 0.12    /* four times what is not seen (MT_INK_EXCESS) */
+
+#define FADED_STEP 0.1 /* shares of the fading that are tried, from 0 … */
+enum { FADED_STEPS = 7 };
+
+struct mt_onlooker {
+    mt_projection_frame frames[2];
+    mt_projection ends[2];
+    double disc; /* the largest of both, grid units */
+};
+
+/* ---- the ends ----------------------------------------------------------------------------------------------------- */
+
+static mt_status look_at_end(const mt_shape *shape, mt_arena *arena, mt_onlooker *o, int end) {
+    mt_rings rings;
+    mt_status status = mt_shape_rings(shape, arena, &rings);
+    if (status != MT_OK) return status;
+    mt_project(&rings, &o->frames[end], &o->ends[end]);
+    o->disc = mt_largest_disc(&rings, o->disc);
+    return MT_OK;
+}
+
+mt_status mt_look_at_ends(const mt_morph *morph, mt_arena *arena, mt_onlooker **onlooker) {
+    mt_onlooker *o = mt_arena_new(arena, 1, sizeof *o);
+    if (!o) return MT_NO_MEMORY;
+    const mt_side *sides[] = {&morph->a, &morph->b};
+    double reach = 1;
+    for (int s = 0; s < 2; s++) {
+        mt_box box = sides[s]->box;
+        o->frames[s].middle = ((double)box.min.x + box.max.x) / 2;
+        o->frames[s].base = ((double)box.min.y + box.max.y) / 2;
+        reach = fmax(reach, hypot(mt_box_width(box), mt_box_height(box)) / 2);
+    }
+    double base = (o->frames[0].base + o->frames[1].base) / 2;
+    reach += fabs(o->frames[0].base - o->frames[1].base) / 2;
+    mt_status status = MT_OK;
+    for (int s = 0; status == MT_OK && s < 2; s++) {
+        o->frames[s].base = base;
+        o->frames[s].reach = reach;
+        status = look_at_end(&sides[s]->whole, arena, o, s);
+    }
+    *onlooker = o;
+    return status;
+}
+
+/* ---- the way ------------------------------------------------------------------------------------------------------ */
+
+/* The mean square of what places are off by, with `faded` of the fading. */
+static double off_by(const mt_projection *at, double moved[MT_DIRECTIONS][MT_QUANTILES],
+                     double faded[MT_DIRECTIONS][MT_QUANTILES], double share) {
+    double sum = 0;
+    for (int d = 0; d < MT_DIRECTIONS; d++)
+        for (int q = 0; q < MT_QUANTILES; q++) {
+            double off = (1 - share) * moved[d][q] + share * faded[d][q] - at->place[d][q];
+            sum += off * off;
+        }
+    return sum / (MT_DIRECTIONS * MT_QUANTILES);
+}
+
+/* 1/1000 em. */
+static double strays(const mt_onlooker *o, const mt_projection *at, double t) {
+    const mt_projection *a = &o->ends[0], *b = &o->ends[1];
+    double moved[MT_DIRECTIONS][MT_QUANTILES], faded[MT_DIRECTIONS][MT_QUANTILES], mixed[MT_BINS];
+    double in_a = (1 - t) * a->area, in_b = t * b->area, least = INFINITY;
+    for (int d = 0; d < MT_DIRECTIONS; d++) {
+        for (int q = 0; q < MT_QUANTILES; q++) moved[d][q] = (1 - t) * a->place[d][q] + t * b->place[d][q];
+        for (int i = 0; i < MT_BINS; i++)
+            mixed[i] = (in_a * a->share[d][i] + in_b * b->share[d][i]) / (in_a + in_b);
+        mt_quantiles_of(mixed, o->frames[0].reach, faded[d]);
+    }
+    for (int i = 0; i < FADED_STEPS; i++) least = fmin(least, off_by(at, moved, faded, i * FADED_STEP));
+    return sqrt(least) * 1000 / MT_EM;
+}
+
+/* Looks at one place, and takes what is worse there. */
+static mt_status look_at_place(const mt_onlooker *o, const mt_morph *morph, double t, const mt_params *params,
+                               mt_arena *arena, mt_appearance *seen) {
+    mt_morph still = *morph;
+    mt_rings rings, ink;
+    mt_shape shape;
+    mt_projection at;
+    mt_projection_frame frame = o->frames[0];
+    frame.middle = (1 - t) * o->frames[0].middle + t * o->frames[1].middle;
+    still.degrees = 0; /* formula (5) turns all of it: a stroke on an arc does not stray */
+    mt_status status = mt_morph_rings(&still, mt_weights_at(t), params, arena, &rings);
+    if (status == MT_OK) status = mt_union_unmarked(&rings, MT_NONZERO, arena, &shape);
+    if (status == MT_OK) status = mt_shape_rings(&shape, arena, &ink);
+    if (status != MT_OK) return status;
+    mt_project(&ink, &frame, &at);
+    seen->strays = fmax(seen->strays, strays(o, &at, t));
+    seen->ink = fmax(seen->ink, mt_area_excess(at.area, o->ends[0].area, o->ends[1].area));
+    if (o->disc > 0) seen->clots = fmax(seen->clots, mt_largest_disc(&ink, o->disc) / o->disc);
+    return MT_OK;
+}
+
+mt_status mt_look_at_morph(const mt_onlooker *o, const mt_morph *morph, const mt_params *params,
+                           mt_arena *arena, mt_appearance *seen) {
+    static const double places[] = {0.25, 0.5, 0.75};
+    *seen = (mt_appearance){0, 1, 0};
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        mt_arena_place before = mt_arena_mark(arena);
+        mt_status status = look_at_place(o, morph, places[i], params, arena, seen);
+        mt_arena_rewind(arena, before);
+        if (status != MT_OK) return status;
+    }
+    return MT_OK;
+}
+
+double mt_appearance_score(const mt_appearance *seen) {
+    double clots = (seen->clots - 1) / CLOTS_MOST;
+    return fmax(seen->strays / STRAYS_MOST, fmax(clots, seen->ink / INK_MOST));
+}
