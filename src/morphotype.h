@@ -57,6 +57,7 @@ typedef enum mt_status {
     MT_ENDLESS_LOOKUPS, /* lookups of GSUB or GPOS call each other in a circle, or make a text longer without end */
     MT_NO_FEATURE,  /* the font has no substitution feature of that tag */
     MT_BAD_FEATURE, /* a feature setting is malformed */
+    MT_BLANK,       /* there is no ink to work with */
 } mt_status;
 
 /* One line of English, without a full stop; static storage. */

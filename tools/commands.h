@@ -3,6 +3,7 @@
 
 #include "options.h"
 
+extern const cli_command animate_command;  /* animate.c */
 extern const cli_command blend_command;    /* blend.c */
 extern const cli_command strip_command;    /* strip.c */
 extern const cli_command sheet_command;    /* sheet.c */

@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static const cli_command *const commands[] = {&blend_command,   &variable_command, &strip_command,
-                                              &sheet_command,   &inspect_command,  &report_command,
-                                              &specimen_command};
+static const cli_command *const commands[] = {&blend_command,    &variable_command, &strip_command,
+                                              &sheet_command,    &inspect_command,  &report_command,
+                                              &specimen_command, &animate_command};
 #define COMMAND_COUNT ((int)(sizeof commands / sizeof commands[0]))
 
 static const cli_command *find(const char *name) {

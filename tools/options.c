@@ -43,6 +43,17 @@ static const option_row rows[] = {
     {'X', false, "axis", "TAG=FROM..TO", "the axis, and what users set for the first font and for the last"},
     {'A', false, "avar", "V:P[,V:P...]", "at V on the axis the font stands at P, both from 0 to 100"},
     {'J', false, "json", NULL, "data: on stdout, or into FILE when that ends in .json"},
+    {'D', false, "duration", "SECONDS", "of a play, without what it holds; a second from one to the next"},
+    {'U', false, "fps", "N", "frames a second (1 ... 240); without it, 30"},
+    {'e', false, "ease", "EASE", "ease-in-out, another name of CSS, or cubic-bezier(X1,Y1,X2,Y2)"},
+    {'O', false, "ease-over", "each|whole", "ease from each to the next, or from the first to the last"},
+    {'d', false, "hold", "SECONDS", "that each key frame stays (0 ... 60)"},
+    {'N', false, "loop", "N|forever", "how often it plays; forever without it"},
+    {'y', false, "yoyo", NULL, "back again the way it came"},
+    {'C', false, "canvas", "WxH", "of so many pixels, with the drawing in its middle"},
+    {'k', false, "color", "COLOR[,COLOR...]", "of the drawing, or from the first to the last, or of each"},
+    {'b', false, "background", "COLOR|none", "white without it"},
+    {'K', false, "css", NULL, "SVG that moves by CSS, not by SMIL"},
     {'S', false, "strict", NULL, "a glyph that cannot be blended is an error, not a line on stderr"},
     {'M', false, "method", "joint|paper", "align boundaries where it goes, or map pieces throughout"},
     {'T', false, "tolerance", "E", "flattening error bound, 1/1000 em (0.05 ... 10)"},
@@ -288,7 +299,16 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'q': return options->quiet = true, GO_ON;
     case 'v': return options->verbose = true, GO_ON;
     case 'h': return print_help(command);
-    default: return read_param(options, letter, argument);
+    case 'M':
+    case 'T':
+    case 'f':
+    case 'w':
+    case 'r':
+    case 'm':
+    case 's':
+    case 'R':
+    case 'j': return read_param(options, letter, argument);
+    default: return motion_read(command->name, letter, argument, &options->motion) ? GO_ON : WRONG_USAGE;
     }
 }
 
@@ -331,7 +351,8 @@ int options_read(const cli_command *command, int argc, char **argv, cli_options 
     struct option longs[ROW_COUNT + 1];
     char shorts[2 * ROW_COUNT + 2];
     int letter, outcome = GO_ON;
-    *options = (cli_options){.command = command->name, .params = mt_params_default()};
+    *options =
+        (cli_options){.command = command->name, .params = mt_params_default(), .motion = motion_defaults()};
     make_tables(command, longs, shorts);
     opterr = 0;
     optind = 1;

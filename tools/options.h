@@ -2,6 +2,7 @@
 #pragma once
 
 #include "morphotype.h"
+#include "motion_options.h"
 
 typedef struct cli_options {
     const char *command;
@@ -27,6 +28,7 @@ typedef struct cli_options {
     double size; /* 0: not given */
     int rows;    /* 0: not given */
     mt_glyph_set glyphs;
+    cli_motion motion; /* of animate */
     bool alternates, no_layout, no_labels, json, strict, quiet, verbose;
     mt_params params;
 } cli_options;

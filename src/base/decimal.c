@@ -1,5 +1,9 @@
 #include "base/decimal.h"
 
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+
 #include <stddef.h>
 
 static bool is_digit(char c) {
@@ -29,4 +33,15 @@ bool mt_decimal_next(const char **text, int32_t *fixed) {
     *fixed = (int32_t)(negative ? -value : value);
     *text = c;
     return true;
+}
+
+void mt_decimal_write(double value, int decimals, char text[MT_DECIMAL_ROOM]) {
+    int64_t one = 1;
+    for (int i = 0; i < decimals; i++) one *= 10;
+    int64_t parts = llround(fabs(value) * (double)one);
+    int length =
+        snprintf(text, MT_DECIMAL_ROOM, "%s%" PRId64, value < 0 && parts > 0 ? "-" : "", parts / one);
+    if (parts % one == 0) return;
+    length += snprintf(text + length, MT_DECIMAL_ROOM - (size_t)length, ".%0*" PRId64, decimals, parts % one);
+    while (text[length - 1] == '0') text[--length] = '\0';
 }

@@ -1,9 +1,9 @@
 #include "base/json.h"
 
+#include "base/decimal.h"
 #include "base/utf.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -94,6 +94,11 @@ void mt_json_text(mt_json *json, const char *key, const char *utf8) {
     add_string(json, utf8);
 }
 
+void mt_json_bool(mt_json *json, const char *key, bool value) {
+    begin_value(json, key);
+    add(json, value ? "true" : "false");
+}
+
 void mt_json_int(mt_json *json, const char *key, int64_t value) {
     char text[24];
     snprintf(text, sizeof text, "%" PRId64, value);
@@ -102,14 +107,8 @@ void mt_json_int(mt_json *json, const char *key, int64_t value) {
 }
 
 void mt_json_number(mt_json *json, const char *key, double value) {
-    char text[32];
-    int64_t billionths = llround(fabs(value) * 1e9);
-    int length =
-        snprintf(text, sizeof text, "%s%" PRId64 ".%09" PRId64, value < 0 && billionths > 0 ? "-" : "",
-                 billionths / 1000000000, billionths % 1000000000);
-    while (text[length - 1] == '0') length--;
-    if (text[length - 1] == '.') length--;
-    text[length] = '\0';
+    char text[MT_DECIMAL_ROOM];
+    mt_decimal_write(value, 9, text);
     begin_value(json, key);
     add(json, text);
 }

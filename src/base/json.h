@@ -21,5 +21,6 @@ void mt_json_one_line(mt_json *json);
 
 void mt_json_text(mt_json *json, const char *key,
                   const char *utf8); /* bytes that are no UTF-8 become U+FFFD */
+void mt_json_bool(mt_json *json, const char *key, bool value);
 void mt_json_int(mt_json *json, const char *key, int64_t value);
 void mt_json_number(mt_json *json, const char *key, double value); /* to 9 decimals; |value| under 10^9 */

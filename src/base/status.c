@@ -25,6 +25,7 @@ const char *mt_status_text(mt_status status) {
     case MT_BAD_FEATURE: return "features are written TAG or TAG=N, with commas between, each once";
     case MT_ENDLESS_LOOKUPS:
         return "its lookups call each other in a circle, or make a text longer without end";
+    case MT_BLANK: return "there is no ink";
     }
     return "unknown status";
 }

@@ -19,16 +19,20 @@ static void crossings_are_corners(mt_shape *shape) {
 }
 
 /* Contours are looked at finely first, and kept so where they cross (MT_OVERLAP_CARE). */
+mt_status mt_outline_shape(const mt_outline *outline, double tolerance, mt_arena *arena, mt_shape *shape) {
+    bool clean, as_coarse;
+    double grid = mt_grid_units(tolerance);
+    mt_status status = mt_outline_resolve(outline, grid / MT_OVERLAP_CARE, arena, shape, &clean);
+    if (status == MT_OK && clean) status = mt_outline_resolve(outline, grid, arena, shape, &as_coarse);
+    if (status == MT_OK) crossings_are_corners(shape);
+    return status;
+}
+
 mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_arena *arena, mt_shape *shape,
                          double *advance) {
     mt_outline outline;
-    bool clean, as_coarse;
-    double grid = mt_grid_units(tolerance);
     mt_status status = mt_font_outline(font, glyph, arena, &outline, advance);
-    if (status == MT_OK) status = mt_outline_resolve(&outline, grid / MT_OVERLAP_CARE, arena, shape, &clean);
-    if (status == MT_OK && clean) status = mt_outline_resolve(&outline, grid, arena, shape, &as_coarse);
-    if (status == MT_OK) crossings_are_corners(shape);
-    return status;
+    return status == MT_OK ? mt_outline_shape(&outline, tolerance, arena, shape) : status;
 }
 
 static mt_status read_room(mt_font *font, uint32_t glyph, mt_glyph_room *room) {

@@ -19,7 +19,8 @@ hb_face_t *mt_face_make(mt_face_tables *tables) {
     bool made = add_table(face, MT_TAG('m', 'a', 'x', 'p'), (mt_bytes){tables->maxp, sizeof maxp}) &&
                 add_table(face, MT_TAG('G', 'S', 'U', 'B'), tables->gsub) &&
                 add_table(face, MT_TAG('G', 'D', 'E', 'F'), tables->gdef) &&
-                add_table(face, MT_TAG('G', 'P', 'O', 'S'), tables->gpos);
+                add_table(face, MT_TAG('G', 'P', 'O', 'S'), tables->gpos) &&
+                add_table(face, MT_TAG('k', 'e', 'r', 'n'), tables->kern);
     if (made) return face;
     hb_face_destroy(face);
     return NULL;

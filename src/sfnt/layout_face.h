@@ -7,7 +7,7 @@
 
 /* The tables of a face; empty ones are left out. */
 typedef struct mt_face_tables {
-    mt_bytes gsub, gdef, gpos;
+    mt_bytes gsub, gdef, gpos, kern;
     int glyph_count;
     uint8_t maxp[6]; /* the bytes of the face's 'maxp' */
 } mt_face_tables;

@@ -1,0 +1,118 @@
+#include "key_frames.h"
+
+#include "base/memory.h"
+#include "base/utf.h"
+#include "characters.h"
+#include "hints_file.h"
+#include "messages.h"
+#include "source/spec.h"
+#include "work.h"
+
+#include <errno.h>
+#include <string.h>
+
+/* ---- FONT=TEXT ----------------------------------------------------------------------------------------- */
+
+/* Cuts `spec`, a copy of the argument, down to its font. Gives the text; NULL where no font stands before any =, with
+ * the reason in *status and `spec` as far as it may be one. */
+static const char *split(const char *argument, char *spec, mt_status *status) {
+    size_t blamed = strcspn(argument, "=");
+    *status = MT_NO_FILE;
+    for (size_t length = strlen(argument); length > 0; length--) {
+        mt_spec parsed;
+        if (argument[length] != '=') continue;
+        spec[length] = '\0';
+        mt_status read = mt_spec_parse(spec, &parsed);
+        if (read == MT_OK) {
+            mt_spec_clear(&parsed);
+            return argument + length + 1;
+        }
+        if (read == MT_NO_FILE || *status != MT_NO_FILE) continue;
+        *status = read; /* the file is there, and what follows it is wrong */
+        blamed = length;
+    }
+    spec[blamed] = '\0';
+    return NULL;
+}
+
+static int read_key(const cli_options *options, int number, key_frames *keys) {
+    const char *argument = options->fonts[number];
+    char *spec = mt_copy_text(argument);
+    mt_status status;
+    keys->specs[number] = spec;
+    if (!spec) return fail_status(argument, MT_NO_MEMORY);
+    if (!strchr(argument, '=')) return misuse(options->command, "%s: a key frame is FONT=TEXT", argument);
+    const char *text = split(argument, spec, &status);
+    if (!text) return fail_status(spec, status);
+    if (!*text)
+        return misuse(options->command, "%s: a key frame is FONT=TEXT, and there is no text", argument);
+    for (const char *p = text; *p;) {
+        uint32_t code_point;
+        if (!mt_utf8_next(&p, &code_point)) return misuse(options->command, "%s: not UTF-8", argument);
+    }
+    keys->list[number].text = text;
+    return DONE;
+}
+
+/* Opens the font unless a key frame before it has it already. */
+static int open_font(key_frames *keys, int number) {
+    for (int i = 0; i < number; i++)
+        if (strcmp(keys->specs[i], keys->specs[number]) == 0) {
+            keys->list[number].font = keys->list[i].font;
+            return DONE;
+        }
+    return font_open(keys->specs[number], &keys->list[number].font);
+}
+
+static int read_hints(const cli_options *options, key_frames *keys) {
+    mt_font *fonts[MT_VARIABLE_FONTS_MAX];
+    for (int i = 0; i < keys->count; i++) fonts[i] = keys->list[i].font;
+    return hints_read(options, fonts, keys->count, &keys->hints);
+}
+
+int key_frames_open(const cli_options *options, key_frames *keys) {
+    *keys = (key_frames){0};
+    int outcome = DONE;
+    for (int i = 0; outcome == DONE && i < options->font_count; i++) {
+        outcome = read_key(options, i, keys);
+        if (outcome == DONE) outcome = open_font(keys, i);
+        keys->count = i + 1;
+    }
+    return outcome == DONE ? read_hints(options, keys) : outcome;
+}
+
+void key_frames_close(key_frames *keys) {
+    for (int i = 0; i < keys->count; i++) {
+        bool shared = false;
+        for (int k = 0; k < i; k++) shared = shared || keys->list[k].font == keys->list[i].font;
+        if (!shared) mt_font_close(keys->list[i].font);
+        mt_free(keys->specs[i]);
+    }
+    mt_hint_table_free(keys->hints);
+}
+
+/* ---- faults -------------------------------------------------------------------------------------------- */
+
+int key_frames_fail(const cli_options *options, const key_frames *keys, const mt_motion_fault *fault,
+                    mt_status status) {
+    if (status == MT_BAD_HINTS) return hints_fail(options, status, &fault->hint, keys->hints);
+    if (fault->key < 0) return fail_status(options->output, status);
+    const char *argument = options->fonts[fault->key], *spec = keys->specs[fault->key];
+    if (status != MT_NO_GLYPH || !fault->lacking) return fail_status(argument, status);
+    const char *at = fault->lacking, *text = keys->list[fault->key].text;
+    bool by_name = text[0] == '/' && text[1] && text[1] != '/';
+    if (by_name) return fail("%s has no glyph named %.*s", spec, (int)strcspn(at + 1, "/"), at + 1);
+    char name[CHARACTER_NAME_ROOM];
+    uint32_t code_point = 0;
+    mt_utf8_next(&at, &code_point);
+    character_describe(code_point, name, sizeof name);
+    return fail("%s lacks %s", spec, name);
+}
+
+/* ---- timing -------------------------------------------------------------------------------------------- */
+
+mt_timing key_frames_timing(const cli_options *options) {
+    mt_timing timing = options->motion.timing;
+    if (!(timing.duration > 0)) timing.duration = options->font_count - 1;
+    return timing;
+}

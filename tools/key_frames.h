@@ -1,0 +1,27 @@
+/* The key frames of animate: FONT=TEXT, as many as there are.
+ *
+ * FONT is what other commands take, with an = of its own where it has a place on axes or a feature's number. It ends at the last = before
+ * which there is a whole font: Inter.ttf@wght=650=A, Serif.otf:salt=2=A, Serif.otf== for an equals sign.
+ */
+#pragma once
+
+#include "motion/motion.h"
+#include "options.h"
+
+typedef struct key_frames {
+    int count;
+    mt_key list[MT_VARIABLE_FONTS_MAX];
+    char *specs[MT_VARIABLE_FONTS_MAX]; /* the fonts' */
+    mt_hint_table *hints;
+} key_frames;
+
+/* Reads the key frames and opens their fonts, each once. DONE or, said, an exit code; either way they are to be closed. */
+int key_frames_open(const cli_options *options, key_frames *keys);
+void key_frames_close(key_frames *keys);
+
+/* Says why a motion could not be opened, and gives COULD_NOT. */
+int key_frames_fail(const cli_options *options, const key_frames *keys, const mt_motion_fault *fault,
+                    mt_status status);
+
+/* The timing that the options ask for: a second for each stretch, unless they say otherwise. */
+mt_timing key_frames_timing(const cli_options *options);
