@@ -135,7 +135,7 @@ const cli_command blend_command = {
             "OUT.ufo is "
             "a\n"
             "directory; one that is there already is replaced when it is a UFO.\n",
-    .takes = "oatcFYGELS",
+    .takes = "oatcFYGELSP",
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

@@ -143,7 +143,7 @@ const cli_command inspect_command = {
         "Shows the components of each character or glyph by colour, its convex pieces, and the links\n"
         "between the pieces of both fonts. With --json the same comes as data: on stdout, or in OUT when\n"
         "that ends in .json.\n",
-    .takes = "otczJ",
+    .takes = "otczJP",
     .fonts_min = 1,
     .fonts_max = 2,
     .run = run,

@@ -55,13 +55,13 @@ static int read_key(const cli_options *options, int number, key_frames *keys) {
 }
 
 /* Opens the font unless a key frame before it has it already. */
-static int open_font(key_frames *keys, int number) {
+static int open_font(const cli_options *options, int number, key_frames *keys) {
     for (int i = 0; i < number; i++)
         if (strcmp(keys->specs[i], keys->specs[number]) == 0) {
             keys->list[number].font = keys->list[i].font;
             return DONE;
         }
-    return font_open(keys->specs[number], &keys->list[number].font);
+    return font_open(options, keys->specs[number], &keys->list[number].font);
 }
 
 static int read_hints(const cli_options *options, key_frames *keys) {
@@ -75,7 +75,7 @@ int key_frames_open(const cli_options *options, key_frames *keys) {
     int outcome = DONE;
     for (int i = 0; outcome == DONE && i < options->font_count; i++) {
         outcome = read_key(options, i, keys);
-        if (outcome == DONE) outcome = open_font(keys, i);
+        if (outcome == DONE) outcome = open_font(options, i, keys);
         keys->count = i + 1;
     }
     return outcome == DONE ? read_hints(options, keys) : outcome;

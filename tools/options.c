@@ -23,7 +23,7 @@ typedef struct option_row {
 } option_row;
 
 /* The letters that every command takes stand in COMMON. */
-#define COMMON "fjqvhMTwrmsRIHP"
+#define COMMON "fjqvhMTwrmsRIH"
 
 static const option_row rows[] = {
     {'o', true, "output", "FILE", "the file to write"},

@@ -42,7 +42,7 @@ const cli_command report_command = {
         "that one font lacks. A glyph that cannot be blended is in the report. A glyph without a character "
         "has its\n"
         "name: /f_i.\n",
-    .takes = "otcEL",
+    .takes = "otcELP",
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

@@ -75,7 +75,7 @@ const cli_command sheet_command = {
             "holds all pages; the pages of PNG and SVG are OUT.png, OUT-2.png and so on. --text wants all of "
             "its\n"
             "characters in both fonts; of --chars those are left out that one font lacks.\n",
-    .takes = "oantczpSL",
+    .takes = "oantczpSLP",
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

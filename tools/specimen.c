@@ -61,7 +61,7 @@ const cli_command specimen_command = {
         "those\n"
         "marked that report flags. --text is the text that the page begins with, too. The page is one file\n"
         "and fetches nothing.\n",
-    .takes = "otcFGELS",
+    .takes = "otcFGELSP",
     .fonts_min = 2,
     .fonts_max = MT_VARIABLE_FONTS_MAX,
     .run = run,

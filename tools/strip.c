@@ -51,7 +51,7 @@ const cli_command strip_command = {
             "Draws the text at 8 places, or at those of --steps or --at, with T under each. A short text has "
             "its steps\n"
             "side by side, one wider than three em has them below one another. Each --text is a line.\n",
-    .takes = "oantzlSL",
+    .takes = "oantzlSLP",
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

@@ -61,7 +61,7 @@ const cli_command variable_command = {
         "With --avar 25:10,50:40 the axis shows at 25 what it shows at 10 without, at 50 what at 40;\n"
         "in between it is even, and the ends stay. --axis wght=400..900 makes it the weight axis, named by "
         "weights.\n",
-    .takes = "otcFYGELXAS",
+    .takes = "otcFYGELXASP",
     .fonts_min = 2,
     .fonts_max = MT_VARIABLE_FONTS_MAX,
     .run = run,

@@ -42,7 +42,7 @@ int output_check(const char *path) {
     return status == MT_OK ? directory_check(path) : fail_status(path, status);
 }
 
-static int open_font(const cli_options *options, const char *spec, mt_font **font) {
+int font_open(const cli_options *options, const char *spec, mt_font **font) {
     errno = 0;
     mt_status status = mt_font_open(spec, font);
     if (status == MT_BAD_FEATURE) return misuse(options->command, "%s: %s", spec, mt_status_text(status));
@@ -54,7 +54,7 @@ static int open_font(const cli_options *options, const char *spec, mt_font **fon
 int fonts_open(const cli_options *options, mt_font **fonts) {
     int outcome = DONE;
     for (int i = 0; i < options->font_count && outcome == DONE; i++)
-        outcome = open_font(options, options->fonts[i], &fonts[i]);
+        outcome = font_open(options, options->fonts[i], &fonts[i]);
     return outcome;
 }
 

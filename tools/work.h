@@ -29,6 +29,9 @@ int directory_check(const char *path);
 /* Says why a status on a file, a font or a pair came about, and gives COULD_NOT. */
 int fail_status(const char *what, mt_status status);
 
+/* Opens a font, with --no-layout without its layout; DONE or, said, COULD_NOT or WRONG_USAGE. */
+int font_open(const cli_options *options, const char *spec, mt_font **font);
+
 /* Opens the fonts of the options, with --no-layout without theirs; DONE or, said, COULD_NOT or WRONG_USAGE. Those that were
  * opened are to be closed either way. */
 int fonts_open(const cli_options *options, mt_font **fonts);
