@@ -276,6 +276,37 @@ MT_API mt_status mt_variable_font(mt_variable *variable, uint8_t **bytes, size_t
  * MT_CANNOT_WRITE. */
 MT_API mt_status mt_variable_save(mt_variable *variable, const char *path);
 
+/* ---- drawings that move -------------------------------------------------------------------------------- */
+
+/* A drawing from memory: closed contours of lines and of quadratic and cubic Bézier curves, filled where they go around a place, in
+ * either direction (nonzero). y runs upwards as in a font, or downwards in both drawings. */
+typedef struct mt_path mt_path;
+
+/* `em` is about the drawing's height, in its own units, 10^-6 … 10^9: tolerances are thousandths of it. MT_BAD_PARAMETER,
+ * MT_NO_MEMORY. */
+MT_API mt_status mt_path_new(double em, mt_path **path);
+MT_API void mt_path_free(mt_path *path); /* NULL is fine */
+/* A contour begins here; the one before it is closed. MT_BAD_PARAMETER for what is no number, MT_TOO_LARGE for places over 32 em
+ * from the origin and for a million segments, MT_NO_MEMORY; the drawing then stays as it was, but that the one before may be closed. */
+MT_API mt_status mt_path_move_to(mt_path *path, double x, double y);
+/* The contour goes on. The same, and MT_BAD_PARAMETER where none has begun. */
+MT_API mt_status mt_path_line_to(mt_path *path, double x, double y);
+MT_API mt_status mt_path_quadratic_to(mt_path *path, double cx, double cy, double x, double y);
+MT_API mt_status mt_path_cubic_to(mt_path *path, double c1x, double c1y, double c2x, double c2y, double x,
+                                  double y);
+
+/* Contours that move from one drawing to another: as many, of the same segments, at every place. */
+typedef struct mt_moving mt_moving;
+
+/* Keeps neither drawing, nor `params`. MT_BLANK when one has no ink, MT_BAD_PARAMETER, MT_TOO_LARGE, MT_BAD_GEOMETRY, MT_NO_MEMORY. */
+MT_API mt_status mt_moving_new(const mt_path *a, const mt_path *b, const mt_params *params,
+                               mt_moving **moving);
+MT_API void mt_moving_free(mt_moving *moving); /* NULL is fine */
+/* Draws the contours at t, 0 … 1, in the units of the first drawing; where they overlap, ink is ink (nonzero). With every t the same
+ * calls come in the same order, and without rotation each point moves on a straight line, or on two that meet at 0.5. MT_BAD_PARAMETER,
+ * MT_NO_MEMORY. */
+MT_API mt_status mt_moving_draw(const mt_moving *moving, double t, const mt_draw *draw, void *user);
+
 /* ---- hints --------------------------------------------------------------------------------------------- */
 
 /* What a person has decided, by characters or glyphs: which component goes with which, and which place on the boundary
