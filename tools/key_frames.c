@@ -1,14 +1,12 @@
 #include "key_frames.h"
 
 #include "base/memory.h"
-#include "base/utf.h"
-#include "characters.h"
 #include "hints_file.h"
 #include "messages.h"
+#include "notation.h"
 #include "source/spec.h"
 #include "work.h"
 
-#include <errno.h>
 #include <string.h>
 
 /* ---- FONT=TEXT ----------------------------------------------------------------------------------------- */
@@ -35,22 +33,23 @@ static const char *split(const char *argument, char *spec, mt_status *status) {
     return NULL;
 }
 
-static int read_key(const cli_options *options, int number, key_frames *keys) {
+/* Reads the text of a key frame whose font is open. */
+static int read_text(const cli_options *options, int number, const char *text, key_frames *keys) {
     const char *argument = options->fonts[number];
-    char *spec = mt_copy_text(argument);
-    mt_status status;
-    keys->specs[number] = spec;
-    if (!spec) return fail_status(argument, MT_NO_MEMORY);
-    if (!strchr(argument, '=')) return misuse(options->command, "%s: a key frame is FONT=TEXT", argument);
-    const char *text = split(argument, spec, &status);
-    if (!text) return fail_status(spec, status);
-    if (!*text)
-        return misuse(options->command, "%s: a key frame is FONT=TEXT, and there is no text", argument);
-    for (const char *p = text; *p;) {
-        uint32_t code_point;
-        if (!mt_utf8_next(&p, &code_point)) return misuse(options->command, "%s: not UTF-8", argument);
+    char name[NOTATION_NAME_MAX + 1];
+    notation reader = {.font = keys->list[number].font};
+    choices *read = &keys->texts[number];
+    mt_status status = MT_OK;
+    while (*text && status == MT_OK) {
+        mt_choice choice;
+        status = notation_next(&reader, &text, &choice, name);
+        if (status == MT_OK) status = choices_add(read, &choice);
     }
-    keys->list[number].text = text;
+    notation_close(&reader);
+    if (status == MT_BAD_PARAMETER) return misuse(options->command, "%s: not UTF-8", argument);
+    if (status == MT_NO_GLYPH) return fail("%s has no glyph /%s", keys->specs[number], name);
+    if (status != MT_OK) return fail_status(argument, status);
+    keys->list[number].text = (mt_text){read->count, read->list};
     return DONE;
 }
 
@@ -64,6 +63,21 @@ static int open_font(const cli_options *options, int number, key_frames *keys) {
     return font_open(options, keys->specs[number], &keys->list[number].font);
 }
 
+static int read_key(const cli_options *options, int number, key_frames *keys) {
+    const char *argument = options->fonts[number];
+    char *spec = mt_copy_text(argument);
+    mt_status status;
+    keys->specs[number] = spec;
+    if (!spec) return fail_status(argument, MT_NO_MEMORY);
+    if (!strchr(argument, '=')) return misuse(options->command, "%s: a key frame is FONT=TEXT", argument);
+    const char *text = split(argument, spec, &status);
+    if (!text) return fail_status(spec, status);
+    if (!*text)
+        return misuse(options->command, "%s: a key frame is FONT=TEXT, and there is no text", argument);
+    int outcome = open_font(options, number, keys);
+    return outcome == DONE ? read_text(options, number, text, keys) : outcome;
+}
+
 static int read_hints(const cli_options *options, key_frames *keys) {
     mt_font *fonts[MT_VARIABLE_FONTS_MAX];
     for (int i = 0; i < keys->count; i++) fonts[i] = keys->list[i].font;
@@ -75,7 +89,6 @@ int key_frames_open(const cli_options *options, key_frames *keys) {
     int outcome = DONE;
     for (int i = 0; outcome == DONE && i < options->font_count; i++) {
         outcome = read_key(options, i, keys);
-        if (outcome == DONE) outcome = open_font(options, i, keys);
         keys->count = i + 1;
     }
     return outcome == DONE ? read_hints(options, keys) : outcome;
@@ -87,6 +100,7 @@ void key_frames_close(key_frames *keys) {
         for (int k = 0; k < i; k++) shared = shared || keys->list[k].font == keys->list[i].font;
         if (!shared) mt_font_close(keys->list[i].font);
         mt_free(keys->specs[i]);
+        choices_free(&keys->texts[i]);
     }
     mt_hint_table_free(keys->hints);
 }
@@ -98,14 +112,9 @@ int key_frames_fail(const cli_options *options, const key_frames *keys, const mt
     if (status == MT_BAD_HINTS) return hints_fail(options, status, &fault->hint, keys->hints);
     if (fault->key < 0) return fail_status(options->output, status);
     const char *argument = options->fonts[fault->key], *spec = keys->specs[fault->key];
-    if (status != MT_NO_GLYPH || !fault->lacking) return fail_status(argument, status);
-    const char *at = fault->lacking, *text = keys->list[fault->key].text;
-    bool by_name = text[0] == '/' && text[1] && text[1] != '/';
-    if (by_name) return fail("%s has no glyph named %.*s", spec, (int)strcspn(at + 1, "/"), at + 1);
+    if (status != MT_NO_GLYPH || fault->lacking < 0) return fail_status(argument, status);
     char name[CHARACTER_NAME_ROOM];
-    uint32_t code_point = 0;
-    mt_utf8_next(&at, &code_point);
-    character_describe(code_point, name, sizeof name);
+    character_describe(keys->list[fault->key].text.list[fault->lacking].code_point, name, sizeof name);
     return fail("%s lacks %s", spec, name);
 }
 

@@ -2,9 +2,10 @@
  *
  * FONT is what other commands take, with an = of its own where it has a place on axes or a feature's number. It ends at the last = before
  * which there is a whole font: Inter.ttf@wght=650=A, Serif.otf:salt=2=A, Serif.otf== for an equals sign.
- */
+ * TEXT is as in --text: glyphs stand there by their names too (notation.h). */
 #pragma once
 
+#include "characters.h"
 #include "motion/motion.h"
 #include "options.h"
 
@@ -12,6 +13,7 @@ typedef struct key_frames {
     int count;
     mt_key list[MT_VARIABLE_FONTS_MAX];
     char *specs[MT_VARIABLE_FONTS_MAX]; /* the fonts' */
+    choices texts[MT_VARIABLE_FONTS_MAX];
     mt_hint_table *hints;
 } key_frames;
 

@@ -1,72 +1,80 @@
 #include "motion/figure.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "base/utf.h"
 #include "blend/pair.h"
 #include "geometry/limits.h"
 #include "motion/shaped_line.h"
-#include "source/glyph_names.h"
 
 typedef struct mt_reading {
     mt_font *font;
     double tolerance;
     mt_arena *arena;
-    const uint32_t *codes; /* NULL for glyphs by their names */
+    const mt_text *text;
+    uint32_t *codes; /* one for each of the text; of a glyph by its name 0 */
     mt_shaped_line line;
 } mt_reading;
 
 /* ---- the line ------------------------------------------------------------------------------------------ */
 
-static mt_status read_text(mt_reading *reading, const char *text, const char **lacking) {
-    int count = 0;
-    uint32_t *codes = mt_arena_new(reading->arena, strlen(text) + 1, sizeof *codes);
-    if (!codes) return MT_NO_MEMORY;
-    while (*text) {
-        const char *at = text;
-        if (!mt_utf8_next(&text, &codes[count])) return MT_BAD_PARAMETER;
-        if (mt_font_glyph(reading->font, codes[count++]) != 0) continue;
-        *lacking = at;
+static mt_status read_codes(mt_reading *reading, int *lacking) {
+    const mt_text *text = reading->text;
+    reading->codes = mt_arena_new(reading->arena, (size_t)text->count + 1, sizeof *reading->codes);
+    if (!reading->codes) return MT_NO_MEMORY;
+    if (text->count > MT_LINE_MAX) return MT_TOO_LARGE;
+    for (int i = 0; i < text->count; i++) {
+        const mt_choice *choice = &text->list[i];
+        if (choice->name) continue;
+        reading->codes[i] = choice->code_point;
+        if (mt_font_glyph(reading->font, choice->code_point) != 0) continue;
+        *lacking = i;
         return MT_NO_GLYPH;
     }
-    reading->codes = codes;
-    return count > MT_LINE_MAX ? MT_TOO_LARGE
-                               : mt_shape_line(reading->font, codes, count, reading->arena, &reading->line);
-}
-
-/* The number of the glyph with this name; 0 and false where there is none. */
-static bool find_name(const char *const *names, int count, const char *name, size_t length, uint32_t *glyph) {
-    for (int i = 0; names && i < count; i++) {
-        if (!names[i] || strlen(names[i]) != length || memcmp(names[i], name, length) != 0) continue;
-        *glyph = (uint32_t)i;
-        return true;
-    }
-    return false;
-}
-
-/* Each after a slash. */
-static mt_status read_names(mt_reading *reading, const char *text, const char **lacking) {
-    const char **names;
-    mt_status status = mt_font_glyph_names(reading->font, reading->arena, &names);
-    mt_shaped_line line = {0, mt_arena_new(reading->arena, strlen(text), sizeof *line.glyphs), 0};
-    if (status != MT_OK || !line.glyphs) return status == MT_OK ? MT_NO_MEMORY : status;
-    while (*text) {
-        size_t length = strcspn(text + 1, "/");
-        double advance;
-        mt_line_glyph *glyph = &line.glyphs[line.count];
-        *glyph = (mt_line_glyph){.first = line.count, .count = 1, .x = line.advance};
-        *lacking = text;
-        if (!find_name(names, mt_font_glyph_count(reading->font), text + 1, length, &glyph->glyph))
-            return MT_NO_GLYPH;
-        status = mt_font_advance(reading->font, glyph->glyph, &advance);
-        if (status == MT_OK && ++line.count > MT_LINE_MAX) status = MT_TOO_LARGE;
-        if (status != MT_OK) return status;
-        line.advance += advance;
-        text += 1 + length;
-    }
-    reading->line = line;
     return MT_OK;
+}
+
+/* Adds what stands on a line by itself to the end of the line; its text begins at `first`. */
+static mt_status add_line(mt_reading *reading, const mt_shaped_line *more, int first) {
+    mt_shaped_line *line = &reading->line;
+    if (more->count > MT_LINE_MAX - line->count) return MT_TOO_LARGE;
+    for (int i = 0; i < more->count; i++) {
+        mt_line_glyph glyph = more->glyphs[i];
+        glyph.first += first;
+        glyph.x += line->advance;
+        line->glyphs[line->count++] = glyph;
+    }
+    line->advance += more->advance;
+    return MT_OK;
+}
+
+static mt_status add_glyph(mt_reading *reading, int at) {
+    mt_line_glyph glyph = {.glyph = reading->text->list[at].glyph, .count = 1};
+    mt_shaped_line alone = {1, &glyph, 0};
+    mt_status status = mt_font_advance(reading->font, glyph.glyph, &alone.advance);
+    return status == MT_OK ? add_line(reading, &alone, at) : status;
+}
+
+static mt_status add_characters(mt_reading *reading, int first, int end) {
+    mt_shaped_line shaped;
+    mt_status status =
+        mt_shape_line(reading->font, reading->codes + first, end - first, reading->arena, &shaped);
+    return status == MT_OK ? add_line(reading, &shaped, first) : status;
+}
+
+/* Characters next to one another are shaped together; glyphs by their names stand as they are. */
+static mt_status set_line(mt_reading *reading) {
+    const mt_text *text = reading->text;
+    mt_status status = MT_OK;
+    reading->line.glyphs = mt_arena_new(reading->arena, MT_LINE_MAX, sizeof *reading->line.glyphs);
+    if (!reading->line.glyphs) return MT_NO_MEMORY;
+    for (int i = 0, end; i < text->count && status == MT_OK; i = end) {
+        for (end = i; end < text->count && !text->list[end].name;) end++;
+        if (end > i)
+            status = add_characters(reading, i, end);
+        else
+            status = add_glyph(reading, end++);
+    }
+    return status;
 }
 
 /* ---- parts --------------------------------------------------------------------------------------------- */
@@ -113,8 +121,9 @@ static mt_status read_drawing(const mt_reading *reading, int first, int count, m
 
 static mt_status read_part(const mt_reading *reading, int first, int count, mt_figure_part *part) {
     const mt_line_glyph *glyph = &reading->line.glyphs[first];
+    bool by_name = reading->text->list[glyph->first].name != NULL;
     *part = (mt_figure_part){.glyph = count == 1 ? glyph->glyph : MT_SEVERAL_GLYPHS,
-                             .text = reading->codes ? reading->codes + glyph->first : NULL,
+                             .text = by_name ? NULL : reading->codes + glyph->first,
                              .text_length = glyph->count,
                              .place = {glyph->x - reading->line.advance / 2, glyph->y}};
     mt_status status = read_drawing(reading, first, count, &part->drawing);
@@ -140,11 +149,10 @@ static mt_status read_parts(const mt_reading *reading, mt_figure *figure) {
     return MT_OK;
 }
 
-mt_status mt_figure_read(mt_font *font, const char *text, double tolerance, mt_arena *arena,
-                         mt_figure *figure, const char **lacking) {
-    mt_reading reading = {.font = font, .tolerance = tolerance, .arena = arena};
-    bool slash = text[0] == '/' && text[1], by_name = slash && text[1] != '/';
-    mt_status status =
-        by_name ? read_names(&reading, text, lacking) : read_text(&reading, text + (slash ? 1 : 0), lacking);
+mt_status mt_figure_read(mt_font *font, const mt_text *text, double tolerance, mt_arena *arena,
+                         mt_figure *figure, int *lacking) {
+    mt_reading reading = {.font = font, .tolerance = tolerance, .arena = arena, .text = text};
+    mt_status status = read_codes(&reading, lacking);
+    if (status == MT_OK) status = set_line(&reading);
     return status == MT_OK ? read_parts(&reading, figure) : status;
 }

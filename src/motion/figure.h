@@ -3,6 +3,7 @@
  * A part is what one cluster of the text draws: a letter with its marks, a ligature, a syllable. Parts without ink are left out. */
 #pragma once
 
+#include "blend/choice.h"
 #include "geometry/outline.h"
 #include "source/font.h"
 
@@ -24,14 +25,15 @@ typedef struct mt_figure {
     double advance;        /* grid units */
 } mt_figure;
 
-/* Reads what `text` asks for, with chords within `tolerance` (1/1000 em), in the arena:
- *
- *     Word        shaped by HarfBuzz, UTF-8
- *     /a/b.alt    glyphs by their names, side by side
- *     //b, /      a text that begins with a slash
- *
- * Not for two threads at once with one font. MT_BAD_PARAMETER for what is no UTF-8, MT_NO_GLYPH, MT_BLANK when there is no ink,
- * MT_TOO_LARGE, and what mt_shape_line and mt_outline_shape give. *lacking: with MT_NO_GLYPH, where in the text the font has no
- * glyph. */
-mt_status mt_figure_read(mt_font *font, const char *text, double tolerance, mt_arena *arena,
-                         mt_figure *figure, const char **lacking);
+/* Characters, and glyphs of the font by their numbers. */
+typedef struct mt_text {
+    int count;
+    const mt_choice *list;
+} mt_text;
+
+/* Reads a text of one line, with chords within `tolerance` (1/1000 em), in the arena. Characters next to one another are shaped by
+ * HarfBuzz; a glyph by its name stands as it is. Not for two threads at once with one font. MT_NO_GLYPH, *lacking is then the
+ * character's index; MT_BLANK when there is no ink, MT_TOO_LARGE for more than MT_LINE_MAX characters or glyphs, and what
+ * mt_shape_line and mt_outline_shape give. */
+mt_status mt_figure_read(mt_font *font, const mt_text *text, double tolerance, mt_arena *arena,
+                         mt_figure *figure, int *lacking);

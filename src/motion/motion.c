@@ -18,9 +18,9 @@ static mt_status read_figures(mt_motion *motion, mt_motion_fault *fault) {
     motion->figures = mt_arena_new(&motion->arena, (size_t)request->key_count, sizeof *motion->figures);
     if (!motion->figures) return MT_NO_MEMORY;
     for (int i = 0; i < request->key_count; i++) {
-        mt_motion_fault at = {.key = i};
+        mt_motion_fault at = {.key = i, .lacking = -1};
         mt_status status =
-            mt_figure_read(request->keys[i].font, request->keys[i].text, request->params.tolerance,
+            mt_figure_read(request->keys[i].font, &request->keys[i].text, request->params.tolerance,
                            &motion->arena, &motion->figures[i], &at.lacking);
         if (status == MT_OK) continue;
         if (status != MT_NO_MEMORY) *fault = at;
@@ -180,7 +180,7 @@ static mt_status lay_page(mt_motion *motion) {
 
 mt_status mt_motion_open(const mt_motion_request *request, mt_motion *motion, mt_motion_fault *fault) {
     *motion = (mt_motion){.request = *request};
-    *fault = (mt_motion_fault){.key = -1};
+    *fault = (mt_motion_fault){.key = -1, .lacking = -1};
     if (!is_valid(request)) return MT_BAD_PARAMETER;
     mt_status status = read_figures(motion, fault);
     if (status == MT_OK) status = prepare(motion, fault);

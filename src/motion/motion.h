@@ -10,7 +10,7 @@
 
 typedef struct mt_key {
     mt_font *font;
-    const char *text; /* as mt_figure_read takes it */
+    mt_text text;
 } mt_key;
 
 typedef struct mt_motion_request {
@@ -41,9 +41,9 @@ typedef struct mt_motion {
 
 /* Why a motion could not be opened. */
 typedef struct mt_motion_fault {
-    int key;             /* the number of the key frame to blame; -1: none */
-    const char *lacking; /* with MT_NO_GLYPH: where in its text; else NULL */
-    mt_hint_error hint;  /* with MT_BAD_HINTS */
+    int key;            /* the number of the key frame to blame; -1: none */
+    int lacking;        /* with MT_NO_GLYPH: the index of its character that the font lacks; else -1 */
+    mt_hint_error hint; /* with MT_BAD_HINTS */
 } mt_motion_fault;
 
 /* Reads the key frames and prepares what moves, on threads. The request's fonts and texts have to live as long. MT_BAD_PARAMETER,

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "base/utf.h"
 #include "motion/gif.h"
 #include "motion/lottie.h"
 #include "motion/png.h"
@@ -45,6 +46,26 @@ static mt_motion_request request_of(const mt_key *keys, int count) {
     return request;
 }
 
+/* A text as a key frame has it. Each is of its own, as long as the test runs. */
+static mt_text text_of(const char *utf8) {
+    enum { TEXTS = 64, LENGTH = 16 };
+    static mt_choice rooms[TEXTS][LENGTH];
+    static int used;
+    mt_text text = {0, rooms[used]};
+    for (const char *at = utf8; *at; text.count++) {
+        rooms[used][text.count] = (mt_choice){0};
+        assert_true(mt_utf8_next(&at, &rooms[used][text.count].code_point));
+        assert_true(text.count < LENGTH);
+    }
+    assert_true(++used < TEXTS);
+    return text;
+}
+
+static mt_status read(mt_font *font, const char *utf8, mt_arena *arena, mt_figure *figure, int *lacking) {
+    const mt_text text = text_of(utf8);
+    return mt_figure_read(font, &text, 0.5, arena, figure, lacking);
+}
+
 /* ---- parts --------------------------------------------------------------------------------------------- */
 
 /* Pairs as text: of each, the first characters of both parts, - for none. */
@@ -52,11 +73,11 @@ static void assert_pairs(const char *a, const char *b, const char *wanted) {
     mt_arena arena = {0};
     mt_figure first, second;
     mt_part_pairs pairs;
-    const char *lacking;
+    int lacking;
     char text[128];
     int length = 0;
-    mt_assert_ok(mt_figure_read(sans, a, 0.5, &arena, &first, &lacking));
-    mt_assert_ok(mt_figure_read(serif, b, 0.5, &arena, &second, &lacking));
+    mt_assert_ok(read(sans, a, &arena, &first, &lacking));
+    mt_assert_ok(read(serif, b, &arena, &second, &lacking));
     mt_assert_ok(mt_pair_parts(&first, &second, &arena, &pairs));
     for (int i = 0; i < pairs.count; i++) {
         mt_part_pair pair = pairs.pairs[i];
@@ -84,16 +105,35 @@ static void clusters_are_parts(void **state) {
     (void)state;
     mt_arena arena = {0};
     mt_figure figure;
-    const char *lacking;
-    mt_assert_ok(mt_figure_read(sans, "x\xcc\x8b", 0.5, &arena, &figure, &lacking)); /* U+030B */
+    int lacking;
+    mt_assert_ok(read(sans, "x\xcc\x8b", &arena, &figure, &lacking)); /* U+030B */
     assert_int_equal(figure.count, 1);
     assert_int_equal(figure.parts[0].shape.count, 3);
-    assert_int_equal(mt_figure_read(sans, " ", 0.5, &arena, &figure, &lacking), MT_BLANK);
-    assert_int_equal(mt_figure_read(sans, "/no.such.name", 0.5, &arena, &figure, &lacking), MT_NO_GLYPH);
-    mt_assert_ok(mt_figure_read(sans, "/a/b", 0.5, &arena, &figure, &lacking));
-    assert_int_equal(figure.count, 2);
-    mt_assert_ok(mt_figure_read(sans, "//a", 0.5, &arena, &figure, &lacking));
-    assert_int_equal(figure.count, 2);
+    assert_int_equal(read(sans, " ", &arena, &figure, &lacking), MT_BLANK);
+    assert_int_equal(read(sans, "a\xe4\xb8\x80", &arena, &figure, &lacking), MT_NO_GLYPH); /* U+4E00 */
+    assert_int_equal(lacking, 1);
+    mt_arena_release(&arena);
+}
+
+/* A glyph by its name between two characters is one part more, where the character would stand. */
+static void names_stand_among_characters(void **state) {
+    (void)state;
+    mt_arena arena = {0};
+    mt_figure typed, named;
+    int lacking;
+    mt_choice choices[] = {{.code_point = 'n'}, {.name = "o"}, {.code_point = 'i'}};
+    const mt_text text = {3, choices};
+    choices[1].glyph = mt_font_glyph(sans, 'o');
+    mt_assert_ok(mt_figure_read(sans, &text, 0.5, &arena, &named, &lacking));
+    mt_assert_ok(read(sans, "noi", &arena, &typed, &lacking));
+    assert_int_equal(named.count, 3);
+    assert_true(named.advance == typed.advance); /* no kerning in these */
+    for (int i = 0; i < 3; i++) {
+        assert_true(named.parts[i].place.x == typed.parts[i].place.x);
+        assert_int_equal(named.parts[i].glyph, typed.parts[i].glyph);
+    }
+    assert_null(named.parts[1].text);
+    assert_int_equal(named.parts[2].text[0], 'i');
     mt_arena_release(&arena);
 }
 
@@ -115,7 +155,7 @@ static double area_of(const mt_drawing *drawing) {
 
 static void ends_are_the_sources(void **state) {
     (void)state;
-    const mt_key keys[] = {{sans, "8"}, {serif, "cat"}, {sans, "S"}};
+    const mt_key keys[] = {{sans, text_of("8")}, {serif, text_of("cat")}, {sans, text_of("S")}};
     mt_motion_request request = request_of(keys, 3);
     mt_motion motion;
     mt_motion_fault fault;
@@ -140,10 +180,10 @@ static void surplus_grows(void **state) {
     mt_arena arena = {0};
     mt_figure figure;
     mt_moving_part part;
-    const char *lacking;
+    int lacking;
     const mt_params params = mt_params_default();
     double areas[3];
-    mt_assert_ok(mt_figure_read(sans, "r", 0.5, &arena, &figure, &lacking));
+    mt_assert_ok(read(sans, "r", &arena, &figure, &lacking));
     mt_assert_ok(mt_moving_part_make(NULL, &figure.parts[0], &(mt_hints){0}, &params, &arena, &arena, &part));
     mt_stretch stretch = {.pairs = {.count = 1}, .parts = &part};
     assert_int_equal(mt_stretch_steps(&stretch), 1);
@@ -178,7 +218,7 @@ static void survives_want_of_memory(void **state) {
     (void)state;
     static const write_format formats[] = {mt_svg_smil, mt_svg_css, mt_lottie, mt_apng, mt_gif, mt_webp};
     mt_font *a = sans, *b = serif;
-    const mt_key keys[] = {{a, "l"}, {b, "li"}, {a, "i"}};
+    const mt_key keys[] = {{a, text_of("l")}, {b, text_of("li")}, {a, text_of("i")}};
     mt_motion_request request = request_of(keys, 3);
     for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
         mt_motion motion;
@@ -204,8 +244,11 @@ static void survives_want_of_memory(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parts_are_paired_in_order), cmocka_unit_test(clusters_are_parts),
-        cmocka_unit_test(ends_are_the_sources),      cmocka_unit_test(surplus_grows),
+        cmocka_unit_test(parts_are_paired_in_order),
+        cmocka_unit_test(clusters_are_parts),
+        cmocka_unit_test(names_stand_among_characters),
+        cmocka_unit_test(ends_are_the_sources),
+        cmocka_unit_test(surplus_grows),
         cmocka_unit_test(survives_want_of_memory),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
