@@ -58,6 +58,7 @@ typedef enum mt_status {
     MT_NO_FEATURE,  /* the font has no substitution feature of that tag */
     MT_BAD_FEATURE, /* a feature setting is malformed */
     MT_BLANK,       /* there is no ink to work with */
+    MT_BAD_DRAWING, /* a file is no SVG drawing, or a damaged one */
 } mt_status;
 
 /* One line of English, without a full stop; static storage. */

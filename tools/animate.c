@@ -45,7 +45,7 @@ static int check(const cli_options *options) {
         return misuse(options->command,
                       "-o %s: animate writes .svg, .json, .apng, .gif, .webp, .png, .mp4 and .webm",
                       options->output);
-    if (keys < 2) return misuse(options->command, "two key frames are wanted: FONT=TEXT FONT=TEXT");
+    if (keys < 2) return misuse(options->command, "two key frames are wanted: FONT=TEXT or DRAWING.svg");
     if (colours > 2 && colours != keys)
         return misuse(options->command, "--color: %d colours for %d key frames", colours, keys);
     return check_format(options, format);
@@ -98,8 +98,10 @@ static int save(const cli_options *options, const mt_motion *motion) {
     return DONE;
 }
 
-static mt_motion_request request_of(const cli_options *options, const key_frames *keys) {
-    static const mt_colour black = {0, 0, 0};
+/* `colours` has room for one of each key frame. */
+static mt_motion_request request_of(const cli_options *options, const key_frames *keys, mt_colour *colours) {
+    int colour_count;
+    key_frames_colours(options, keys, colours, &colour_count);
     const cli_motion *motion = &options->motion;
     return (mt_motion_request){.key_count = keys->count,
                                .keys = keys->list,
@@ -107,8 +109,8 @@ static mt_motion_request request_of(const cli_options *options, const key_frames
                                .hints = keys->hints,
                                .timing = key_frames_timing(options),
                                .page = {options->size, motion->width, motion->height},
-                               .colour_count = motion->colour_count ? motion->colour_count : 1,
-                               .colours = motion->colour_count ? motion->colours : &black,
+                               .colour_count = colour_count,
+                               .colours = colours,
                                .has_background = motion->has_background,
                                .background = motion->background};
 }
@@ -116,8 +118,9 @@ static mt_motion_request request_of(const cli_options *options, const key_frames
 static int animate(const cli_options *options, const key_frames *keys) {
     mt_motion motion;
     mt_motion_fault fault;
+    mt_colour colours[MT_VARIABLE_FONTS_MAX];
     progress bar = progress_begin(options->quiet);
-    mt_motion_request request = request_of(options, keys);
+    mt_motion_request request = request_of(options, keys, colours);
     request.progress = progress_draw;
     request.progress_user = &bar;
     mt_status status = mt_motion_open(&request, &motion, &fault);
@@ -143,14 +146,16 @@ const cli_command animate_command = {
     .name = "animate",
     .summary = "an animation from one drawing to the next",
     .help =
-        "usage: morphotype animate FONT=TEXT FONT=TEXT [FONT=TEXT...] -o OUT [OPTION...]\n"
+        "usage: morphotype animate KEY KEY [KEY...] -o OUT [OPTION...]\n"
         "\n"
-        "Key frames follow one another. TEXT is a character or a word; /name is a glyph by its name, and "
-        "/a/b are two\n"
-        "glyphs. OUT.svg moves by SMIL, or with --css by CSS; OUT.json is Lottie; OUT.apng, .gif and .webp "
-        "are pictures\n"
-        "that move, .mp4 and .webm videos by an installed ffmpeg, and OUT.png numbered frames: OUT-01.png "
-        "and so on.\n",
+        "Key frames follow one another. KEY is FONT=TEXT or an SVG drawing. TEXT is a character or a word; "
+        "/name is a glyph\n"
+        "by its name, and /a/b are two glyphs. OUT.svg moves by SMIL, or with --css by CSS; OUT.json is "
+        "Lottie; "
+        "OUT.apng,\n"
+        ".gif and .webp are pictures that move, .mp4 and .webm videos by an installed ffmpeg, and OUT.png "
+        "numbered frames:\n"
+        "OUT-01.png and so on.\n",
     .takes = "onzSDUeOdNyCkbK",
     .fonts_min = 0,
     .fonts_max = MT_VARIABLE_FONTS_MAX,

@@ -107,13 +107,13 @@ static bool read_colours(const char *command, const char *argument, cli_motion *
         if (!*p) break;
     }
     return good || refuse(command, "color", argument,
-                          "#RRGGBB, #RGB or a name of CSS 2.1 is wanted, or several with commas");
+                          "#RRGGBB, #RGB or a name of CSS is wanted, or several with commas");
 }
 
 static bool read_background(const char *command, const char *argument, cli_motion *motion) {
     motion->has_background = strcmp(argument, "none") != 0;
     if (!motion->has_background || mt_colour_read(argument, &motion->background)) return true;
-    return refuse(command, "background", argument, "none, #RRGGBB, #RGB or a name of CSS 2.1 is wanted");
+    return refuse(command, "background", argument, "none, #RRGGBB, #RGB or a name of CSS is wanted");
 }
 
 bool motion_read(const char *command, char letter, const char *argument, cli_motion *motion) {

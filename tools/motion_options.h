@@ -1,7 +1,7 @@
 /* The options of animate. */
 #pragma once
 
-#include "motion/colour.h"
+#include "drawing/colour.h"
 #include "motion/timeline.h"
 #include "morphotype.h"
 

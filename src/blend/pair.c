@@ -1,32 +1,12 @@
 /* The one place where glyphs are read for a morph and where mt_morph_prepare is called. */
 #include "blend/pair.h"
+
 #include "blend/slant.h"
-#include "geometry/limits.h"
-#include "geometry/union.h"
+#include "geometry/layers.h"
 #include "glyphset/match.h"
 #include "morph/prepare.h"
 
 /* ---- one side ------------------------------------------------------------------------------------------ */
-
-/* Where the drawing's own contours cross, the resolved shape has corners of its own, like any other. */
-static void crossings_are_corners(mt_shape *shape) {
-    for (int k = 0; k < shape->count; k++)
-        for (int i = 0; i < shape->components[k].count; i++) {
-            mt_ring *ring = &shape->components[k].rings[i];
-            for (int j = 0; j < ring->count; j++)
-                if (ring->marks[j] & MT_CROSSING) ring->marks[j] ^= MT_CROSSING | MT_CORNER;
-        }
-}
-
-/* Contours are looked at finely first, and kept so where they cross (MT_OVERLAP_CARE). */
-mt_status mt_outline_shape(const mt_outline *outline, double tolerance, mt_arena *arena, mt_shape *shape) {
-    bool clean, as_coarse;
-    double grid = mt_grid_units(tolerance);
-    mt_status status = mt_outline_resolve(outline, grid / MT_OVERLAP_CARE, arena, shape, &clean);
-    if (status == MT_OK && clean) status = mt_outline_resolve(outline, grid, arena, shape, &as_coarse);
-    if (status == MT_OK) crossings_are_corners(shape);
-    return status;
-}
 
 mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_arena *arena, mt_shape *shape,
                          double *advance) {

@@ -19,9 +19,6 @@ typedef struct mt_glyph_pair {
     int at_fault; /* why it could not be prepared: 0 for A's glyph, 1 for B's; -1 for neither alone */
 } mt_glyph_pair;
 
-/* A drawing as a shape: flattened within `tolerance` (1/1000 em), resolved into components. As mt_outline_resolve. */
-mt_status mt_outline_shape(const mt_outline *outline, double tolerance, mt_arena *arena, mt_shape *shape);
-
 /* Reads a glyph as a shape. As mt_font_outline and mt_outline_shape. */
 mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_arena *arena, mt_shape *shape,
                          double *advance);

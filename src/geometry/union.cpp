@@ -154,7 +154,7 @@ extern "C" mt_status mt_union_unmarked(const mt_rings *rings, mt_rule rule, mt_a
     Clipper clipper;
     PolyTree tree;
     clipper.AddPaths(paths_of(rings), ptSubject, true);
-    PolyFillType filled = rule == MT_POSITIVE ? pftPositive : pftNonZero;
+    PolyFillType filled = rule == MT_POSITIVE ? pftPositive : rule == MT_EVEN_ODD ? pftEvenOdd : pftNonZero;
     clipper.Execute(ctUnion, tree, filled, filled);
     mt_shape made;
     mt_status status = shape_of(tree, arena, &made);

@@ -4,8 +4,8 @@
 #include "geometry/outline.h"
 
 /* The rule of ink: where the winding number is not 0, as fonts are filled; or where it is above 0, for contours whose ink lies to the
- * left. */
-typedef enum mt_rule { MT_NONZERO, MT_POSITIVE } mt_rule;
+ * left; or where it is odd, as some drawings are filled. */
+typedef enum mt_rule { MT_NONZERO, MT_POSITIVE, MT_EVEN_ODD } mt_rule;
 
 /* The ink of all rings together, as components with holes. Points that survive
  * keep their marks; where edges cross, a new one with mark MT_CROSSING appears. Points in line are dropped.

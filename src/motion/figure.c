@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "blend/pair.h"
+#include "geometry/layers.h"
 #include "geometry/limits.h"
 #include "motion/shaped_line.h"
 
@@ -126,9 +126,12 @@ static mt_status read_part(const mt_reading *reading, int first, int count, mt_f
                              .text = by_name ? NULL : reading->codes + glyph->first,
                              .text_length = glyph->count,
                              .place = {glyph->x - reading->line.advance / 2, glyph->y}};
-    mt_status status = read_drawing(reading, first, count, &part->drawing);
+    mt_layer *layer = mt_arena_new(reading->arena, 1, sizeof *layer);
+    if (!layer) return MT_NO_MEMORY;
+    part->drawing = (mt_layers){1, layer};
+    mt_status status = read_drawing(reading, first, count, &layer->outline);
     return status == MT_OK
-               ? mt_outline_shape(&part->drawing, reading->tolerance, reading->arena, &part->shape)
+               ? mt_outline_shape(&layer->outline, reading->tolerance, reading->arena, &part->shape)
                : status;
 }
 
@@ -155,4 +158,15 @@ mt_status mt_figure_read(mt_font *font, const mt_text *text, double tolerance, m
     mt_status status = read_codes(&reading, lacking);
     if (status == MT_OK) status = set_line(&reading);
     return status == MT_OK ? read_parts(&reading, figure) : status;
+}
+
+mt_status mt_figure_of_drawing(const mt_svg_drawing *drawing, double tolerance, mt_arena *arena,
+                               mt_figure *figure) {
+    mt_figure_part *part = mt_arena_new(arena, 1, sizeof *part);
+    if (!part) return MT_NO_MEMORY;
+    *part = (mt_figure_part){.glyph = MT_SEVERAL_GLYPHS, .drawing = drawing->layers, .apart = true};
+    mt_status status = mt_layers_shape(&drawing->layers, tolerance, arena, &part->shape);
+    if (status == MT_OK && part->shape.count == 0) status = MT_BLANK;
+    if (status == MT_OK) *figure = (mt_figure){1, part, MT_EM};
+    return status;
 }

@@ -1,10 +1,11 @@
-/* A key frame as it is drawn: a text of a font, glyphs by their names, in parts that move one by one.
+/* A key frame as it is drawn: a text of a font, glyphs by their names, in parts that move one by one; or a drawing, which is one part.
  *
  * A part is what one cluster of the text draws: a letter with its marks, a ligature, a syllable. Parts without ink are left out. */
 #pragma once
 
 #include "blend/choice.h"
-#include "geometry/outline.h"
+#include "drawing/svg_drawing.h"
+#include "geometry/layers.h"
 #include "source/font.h"
 
 /* Where a part has several glyphs, and so none that hints are about. */
@@ -14,9 +15,10 @@ typedef struct mt_figure_part {
     uint32_t glyph;       /* its only one, or MT_SEVERAL_GLYPHS */
     const uint32_t *text; /* its characters, NULL for a glyph by its name */
     int text_length;
-    mt_outline drawing; /* as its font draws it, about an origin of its own */
-    mt_shape shape;     /* the same, resolved */
-    mt_vector place;    /* of the origin, grid units, from the middle of the figure's line */
+    mt_layers drawing; /* as its source draws it, about an origin of its own */
+    bool apart;        /* layers of a drawing are filled one by one, those of texts all together */
+    mt_shape shape;    /* the same, resolved */
+    mt_vector place;   /* of the origin, grid units, from the middle of the figure's line */
 } mt_figure_part;
 
 typedef struct mt_figure {
@@ -37,3 +39,7 @@ typedef struct mt_text {
  * mt_shape_line and mt_outline_shape give. */
 mt_status mt_figure_read(mt_font *font, const mt_text *text, double tolerance, mt_arena *arena,
                          mt_figure *figure, int *lacking);
+
+/* The same of a drawing: one part, whose layers are the drawing's. MT_NO_MEMORY, and as mt_layers_shape. */
+mt_status mt_figure_of_drawing(const mt_svg_drawing *drawing, double tolerance, mt_arena *arena,
+                               mt_figure *figure);

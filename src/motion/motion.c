@@ -7,10 +7,23 @@
 
 /* ---- key frames ---------------------------------------------------------------------------------------- */
 
+static bool has_drawing(const mt_motion_request *request) {
+    for (int i = 0; i < request->key_count; i++)
+        if (!request->keys[i].font) return true;
+    return false;
+}
+
 static bool is_valid(const mt_motion_request *request) {
     int keys = request->key_count, colours = request->colour_count;
     return keys >= 2 && keys <= MT_VARIABLE_FONTS_MAX && mt_params_check(&request->params) == MT_OK &&
-           mt_timing_is_valid(&request->timing) && (colours == 1 || colours == 2 || colours == keys);
+           mt_timing_is_valid(&request->timing) && (colours == 1 || colours == 2 || colours == keys) &&
+           !(request->hints && has_drawing(request));
+}
+
+static mt_status read_figure(mt_motion *motion, const mt_key *key, mt_figure *figure, int *lacking) {
+    double tolerance = motion->request.params.tolerance;
+    return key->font ? mt_figure_read(key->font, &key->text, tolerance, &motion->arena, figure, lacking)
+                     : mt_figure_of_drawing(key->drawing, tolerance, &motion->arena, figure);
 }
 
 static mt_status read_figures(mt_motion *motion, mt_motion_fault *fault) {
@@ -19,9 +32,7 @@ static mt_status read_figures(mt_motion *motion, mt_motion_fault *fault) {
     if (!motion->figures) return MT_NO_MEMORY;
     for (int i = 0; i < request->key_count; i++) {
         mt_motion_fault at = {.key = i, .lacking = -1};
-        mt_status status =
-            mt_figure_read(request->keys[i].font, &request->keys[i].text, request->params.tolerance,
-                           &motion->arena, &motion->figures[i], &at.lacking);
+        mt_status status = read_figure(motion, &request->keys[i], &motion->figures[i], &at.lacking);
         if (status == MT_OK) continue;
         if (status != MT_NO_MEMORY) *fault = at;
         return status;
@@ -80,6 +91,7 @@ static mt_hints hints_for(const mt_hint_index *index, const mt_stretch *stretch,
 }
 
 static mt_status list_tasks(mt_motion *motion, const mt_row *row, mt_part_tasks *tasks) {
+    bool hinted = !has_drawing(&motion->request);
     size_t count = 0;
     for (int i = 0; i < motion->stretch_count; i++) count += (size_t)motion->stretches[i].pairs.count;
     *tasks =
@@ -88,8 +100,9 @@ static mt_status list_tasks(mt_motion *motion, const mt_row *row, mt_part_tasks 
     for (int i = 0; i < motion->stretch_count; i++) {
         mt_stretch *stretch = &motion->stretches[i];
         for (int k = 0; k < stretch->pairs.count; k++)
-            tasks->list[tasks->count++] =
-                (mt_part_task){stretch, k, hints_for(row->hints[i], stretch, stretch->pairs.pairs[k])};
+            tasks->list[tasks->count++] = (mt_part_task){
+                stretch, k,
+                hinted ? hints_for(row->hints[i], stretch, stretch->pairs.pairs[k]) : (mt_hints){0}};
     }
     return MT_OK;
 }
@@ -112,7 +125,7 @@ static mt_status prepare_parts(mt_motion *motion, const mt_row *row) {
     return status;
 }
 
-/* The key frames' fonts as a row, for its hints. */
+/* The key frames' fonts as a row, for its hints; with a drawing among them there is none, and so are there no hints. */
 static mt_status open_row(const mt_motion_request *request, mt_row *row, mt_hint_error *error) {
     mt_font *fonts[MT_VARIABLE_FONTS_MAX];
     for (int i = 0; i < request->key_count; i++) fonts[i] = request->keys[i].font;
@@ -122,7 +135,7 @@ static mt_status open_row(const mt_motion_request *request, mt_row *row, mt_hint
 
 static mt_status prepare(mt_motion *motion, mt_motion_fault *fault) {
     mt_row row = {0};
-    mt_status status = open_row(&motion->request, &row, &fault->hint);
+    mt_status status = has_drawing(&motion->request) ? MT_OK : open_row(&motion->request, &row, &fault->hint);
     if (status == MT_OK) status = pair_figures(motion);
     if (status == MT_OK) status = prepare_parts(motion, &row);
     mt_row_close(&row);

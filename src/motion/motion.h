@@ -3,21 +3,23 @@
 
 #include "base/workers.h"
 #include "blend/row.h"
-#include "motion/colour.h"
+#include "drawing/colour.h"
 #include "motion/page.h"
 #include "motion/stretch.h"
 #include "motion/timeline.h"
 
+/* A text of a font, or a drawing. */
 typedef struct mt_key {
-    mt_font *font;
+    mt_font *font; /* NULL: it is a drawing */
     mt_text text;
+    const mt_svg_drawing *drawing;
 } mt_key;
 
 typedef struct mt_motion_request {
     int key_count; /* 2 … MT_VARIABLE_FONTS_MAX */
     const mt_key *keys;
     mt_params params;
-    const mt_hint_table *hints; /* NULL: none */
+    const mt_hint_table *hints; /* NULL: none; with a drawing among the keys there can be none */
     mt_timing timing;
     mt_page_request page;
     int colour_count; /* 1, or one for each key frame, or 2: of the first and of the last */
@@ -46,7 +48,7 @@ typedef struct mt_motion_fault {
     mt_hint_error hint; /* with MT_BAD_HINTS */
 } mt_motion_fault;
 
-/* Reads the key frames and prepares what moves, on threads. The request's fonts and texts have to live as long. MT_BAD_PARAMETER,
+/* Reads the key frames and prepares what moves, on threads. The request's fonts, texts and drawings have to live as long. MT_BAD_PARAMETER,
  * MT_TOO_LARGE for a canvas over MT_CANVAS_MAX, MT_NO_MEMORY; MT_BAD_HINTS, and what mt_figure_read gives, all with `fault` filled in. The motion is to be closed whatever comes. */
 mt_status mt_motion_open(const mt_motion_request *request, mt_motion *motion, mt_motion_fault *fault);
 void mt_motion_close(mt_motion *motion);

@@ -1,7 +1,7 @@
 /* Drawings from memory, and what moves between two of them, for users of the library. */
 #include <math.h>
 
-#include "blend/pair.h"
+#include "geometry/layers.h"
 #include "geometry/limits.h"
 #include "morph/model/params.h"
 #include "motion/stretch.h"
@@ -137,8 +137,9 @@ static mt_status read_outline(const mt_path *path, mt_arena *arena, mt_outline *
 static mt_status read_part(const mt_path *path, const mt_params *params, mt_arena *arena,
                            mt_figure_part *part) {
     *part = (mt_figure_part){.glyph = MT_SEVERAL_GLYPHS};
-    mt_status status = read_outline(path, arena, &part->drawing);
-    if (status == MT_OK) status = mt_outline_shape(&part->drawing, params->tolerance, arena, &part->shape);
+    mt_outline outline;
+    mt_status status = read_outline(path, arena, &outline);
+    if (status == MT_OK) status = mt_outline_shape(&outline, params->tolerance, arena, &part->shape);
     return status == MT_OK && part->shape.count == 0 ? MT_BLANK : status;
 }
 

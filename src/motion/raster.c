@@ -38,13 +38,25 @@ static void add_contour(cairo_t *cairo, const mt_page *page, mt_vector place, co
     cairo_close_path(cairo);
 }
 
-/* All parts in one path: where they overlap, ink is ink. */
+static void add_placed(cairo_t *cairo, const mt_page *page, const mt_placed *placed) {
+    for (int k = 0; k < placed->outline.count; k++)
+        add_contour(cairo, page, placed->place, &placed->outline.contours[k]);
+}
+
+/* Letters and what moves are one path: where they overlap, ink is ink. */
 static void fill(cairo_t *cairo, const mt_page *page, const mt_drawing *drawing) {
     for (int i = 0; i < drawing->count; i++)
-        for (int k = 0; k < drawing->list[i].outline.count; k++)
-            add_contour(cairo, page, drawing->list[i].place, &drawing->list[i].outline.contours[k]);
+        if (!drawing->list[i].apart) add_placed(cairo, page, &drawing->list[i]);
     cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_WINDING);
     cairo_fill(cairo);
+    for (int i = 0; i < drawing->count; i++) {
+        const mt_placed *placed = &drawing->list[i];
+        if (!placed->apart) continue;
+        add_placed(cairo, page, placed);
+        cairo_set_fill_rule(cairo,
+                            placed->rule == MT_EVEN_ODD ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
+        cairo_fill(cairo);
+    }
 }
 
 /* The surface's rows without what pads them. */

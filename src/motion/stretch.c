@@ -133,10 +133,16 @@ mt_status mt_stretch_at(const mt_stretch *stretch, double t, mt_arena *arena, mt
 }
 
 mt_status mt_figure_drawing(const mt_figure *figure, mt_arena *arena, mt_drawing *drawing) {
-    mt_drawing made = {figure->count, mt_arena_new(arena, (size_t)figure->count, sizeof *made.list)};
+    size_t count = 0;
+    for (int i = 0; i < figure->count; i++) count += (size_t)figure->parts[i].drawing.count;
+    mt_drawing made = {0, mt_arena_new(arena, count + 1, sizeof *made.list)};
     if (!made.list) return MT_NO_MEMORY;
-    for (int i = 0; i < figure->count; i++)
-        made.list[i] = (mt_placed){figure->parts[i].drawing, figure->parts[i].place};
+    for (int i = 0; i < figure->count; i++) {
+        const mt_figure_part *part = &figure->parts[i];
+        for (int k = 0; k < part->drawing.count; k++)
+            made.list[made.count++] = (mt_placed){part->drawing.list[k].outline, part->place, part->apart,
+                                                  part->drawing.list[k].rule};
+    }
     *drawing = made;
     return MT_OK;
 }

@@ -1,6 +1,7 @@
 /* What moves between two key frames: contours of every pair of parts, each point on straight lines. */
 #pragma once
 
+#include "geometry/union.h"
 #include "morph/model/morph.h"
 #include "motion/part_pairs.h"
 
@@ -8,6 +9,8 @@
 typedef struct mt_placed {
     mt_outline outline;
     mt_vector place;
+    bool apart; /* filled by itself, by the rule; otherwise with all others that are not, nonzero */
+    mt_rule rule;
 } mt_placed;
 
 typedef struct mt_drawing {

@@ -1,6 +1,7 @@
 """morphotype animate: vectors, pictures, videos, and what it refuses."""
 
 import json
+import random
 import re
 import struct
 import sys
@@ -435,6 +436,94 @@ sys.exit({code})
             self.assertEqual([path.name for path in self.directory.iterdir() if path.name not in ('bin', 'log')], [])
 
 
+def svg(content, view='0 0 24 24', more=''):
+    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{view}" {more}>{content}</svg>'
+
+
+STAR = svg('<path fill="#e6a000" d="M12 1l3.2 7.7 8.3.6-6.4 5.4 2 8.1-7.1-4.4-7.100 4.400 2-8.100L.5 9.300l8.300-.6z"/>')
+HEART = svg('<path style="fill:crimson" d="M256 460C100 330 40 260 40 170c0-62 48-112 110-112 42 0 82 24 106 62 24-38 64-62 106-62 '
+            '62 0 110 50 110 112 0 90-60 160-216 290z"/>', '0 0 512 512')
+RING = svg('<path fill-rule="evenodd" d="M12 2a10 10 0 1 0 0 20 10 10 0 1 0 0-20zM12 6a6 6 0 1 0 0 12 6 6 0 1 0 0-12z"/>')
+FRAME = svg('<rect x="2" y="2" width="20" height="4"/><rect x="2" y="18" width="20" height="4"/>'
+            '<path d="M2 2v20h4V2z"/><g transform="rotate(180 12 12)"><path d="M2 2v20h4V2z"/></g>') # of four bars
+
+
+class Drawings(Animate):
+    """From SVG."""
+
+    def setUp(self):
+        super().setUp()
+        for name, content in (('star.svg', STAR), ('heart.svg', HEART), ('ring.svg', RING), ('frame.svg', FRAME)):
+            self.write(name, content)
+
+    def test_drawings_move_in_their_colours(self):
+        (path,) = self.paths('x.svg', keys=('star.svg', 'heart.svg'))
+        _, values, _ = self.key_times(path)
+        self.assertEqual(len({path_points(value)[0] for value in values}), 1)
+        fills = self.key_times(path, 'fill')[1]
+        self.assertEqual((fills[0], fills[-1]), ('#e6a000', '#dc143c'))
+        (path,) = self.paths('x.svg', '--color', 'navy', keys=('star.svg', 'heart.svg'))
+        self.assertEqual(path.get('fill'), '#000080')
+        for value, sides in ((values[0], (23, 21.8)), (values[-1], (432 * 24 / 512, 402 * 24 / 512))):
+            left, top, right, bottom = box(path_lines(value, 16))
+            self.assertAlmostEqual((right - left) * 24 / PATH_EM, sides[0], delta=0.05)
+            self.assertAlmostEqual((bottom - top) * 24 / PATH_EM, sides[1], delta=0.05)
+
+    def test_drawings_and_letters_make_a_chain(self):
+        paths = self.paths('x.svg', keys=('star.svg', f'{SANS}=go', 'heart.svg'))
+        self.assertEqual(len(paths), 2)
+        self.assert_drawn_as(self.key_times(self.paths('x.svg', keys=('star.svg', f'{SANS}=g'))[0])[1][-1], SANS, 'g')
+
+    def test_a_ring_stays_a_ring(self):
+        for keys in (('ring.svg', 'frame.svg'), ('frame.svg', 'ring.svg'), ('ring.svg', f'{SANS}=o')):
+            self.animate('x.png', '--steps', 5, '--size', 60, keys=keys)
+            for i in range(1, 6):
+                self.assertEqual(Pictures.holes(cli.Image(self.path(f'x-{i}.png'))), 1, (keys, i))
+
+    def test_ends_have_the_drawings_ink(self):
+        self.animate('x.png', '--steps', 2, '--size', 96, keys=('ring.svg', 'frame.svg'))
+        for i, ink in ((1, 3.14159 * (100 - 36)), (2, 400 - 144)):
+            self.assertAlmostEqual(cli.Image(self.path(f'x-{i}.png')).ink() / 16 / ink, 1, delta=0.002)
+
+    def test_what_is_in_the_file_tells_not_its_name(self):
+        drawn = self.animate('x.svg', keys=('star.svg', 'heart.svg')).read_bytes()
+        self.write('a=b.txt', '\ufeff<?xml version="1.0"?>\n<!DOCTYPE svg PUBLIC "a" "http://example.org/none.dtd">' + STAR)
+        self.assertEqual(self.animate('y.svg', keys=('a=b.txt', 'heart.svg')).read_bytes(), drawn)
+        self.write('font.svg', 'OTTO')
+        self.refused(2, 'animate', 'font.svg', 'star.svg', '-o', 'z.svg', says=['font.svg: a key frame is'])
+        self.refused(2, 'animate', 'star.svg', SANS, '-o', 'z.svg', says=[SANS, 'a key frame is'])
+
+    def test_what_is_left_out_is_told_once(self):
+        self.write('x-in.svg', STAR.replace('</svg>', '<text>a</text><text>b</text><path d="M0 0h9v9" stroke="red"/></svg>'))
+        arguments = ('animate', 'x-in.svg', 'heart.svg', '-o', 'x.svg')
+        self.assertEqual(self.made(*arguments), ['morphotype: x-in.svg: left out: strokes, text'])
+        self.assertEqual(self.made(*arguments, '-q'), [])
+
+    def test_bad_drawings(self):
+        laughs = '<!DOCTYPE svg [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;">]>' + svg('<text>&b;</text>')
+        for content, says in ((svg(''), 'nothing is filled'), (svg('<script>x()</script>'), 'nothing is filled; left out: scripts'),
+                              (laughs, 'it declares entities'), ('<svg', 'damaged'), ('<html></html>', 'no SVG drawing'),
+                              (svg('<g>' * 101 + '<circle r="9"/>' + '</g>' * 101), 'over 100 levels'),
+                              (svg('<g>' * 9999), 'over 100 levels'), (svg('<circle r="99999"/>'), 'too large')):
+            self.write('bad.svg', content)
+            self.refused(1, 'animate', 'star.svg', 'bad.svg', '-o', 'x.svg', says=['bad.svg: ', says])
+        self.refused(1, 'animate', 'none.svg', 'star.svg', '-o', 'x.svg', says=['none.svg', 'No such file'])
+        self.write('hints.txt', 'A whole\n')
+        self.refused(2, 'animate', 'star.svg', 'heart.svg', '-o', 'x.svg', '--hints', 'hints.txt', says=['star.svg is a drawing'])
+
+    def test_damaged_drawings_are_drawn_or_refused(self):
+        """Bytes of drawings changed at random: an exit code of the program's own, and few lines."""
+        source = random.Random(15)
+        for number in range(40):
+            text = list(source.choice((STAR, HEART, RING, FRAME)))
+            for _ in range(source.randint(1, 6)):
+                text[source.randrange(len(text))] = source.choice('0123456789.-eMmLlAaZz<>&"\x00 ')
+            self.write('bad.svg', ''.join(text))
+            result = self.run_program('animate', 'bad.svg', 'ring.svg', '-o', 'x.svg')
+            self.assertIn(result.returncode, (0, 1, 2), (number, result.stderr))
+            self.assertLessEqual(result.stderr.count(b'\n'), 2, (number, result.stderr))
+
+
 class Usage(Animate):
     """What is refused, and how."""
 
@@ -443,7 +532,7 @@ class Usage(Animate):
 
     def test_key_frames(self):
         self.wrong(keys=(f'{SANS}=g',), says=['two key frames are wanted'])
-        self.wrong(keys=(f'{SANS}=g', SERIF), says=['a key frame is FONT=TEXT'])
+        self.wrong(keys=(f'{SANS}=g', SERIF), says=['a key frame is FONT=TEXT, or an SVG drawing'])
         self.wrong(keys=(f'{SANS}=g', f'{SERIF}='), says=['there is no text'])
         self.refused(1, 'animate', f'{SANS}=g', 'none.otf=8', '-o', 'x.svg', says=['none.otf: ', 'No such file'])
         self.refused(1, 'animate', f'{SANS}#7=g', f'{SERIF}=8', '-o', 'x.svg', says=[f'{SANS}#7: no such face'])

@@ -155,7 +155,8 @@ static double area_of(const mt_drawing *drawing) {
 
 static void ends_are_the_sources(void **state) {
     (void)state;
-    const mt_key keys[] = {{sans, text_of("8")}, {serif, text_of("cat")}, {sans, text_of("S")}};
+    const mt_key keys[] = {
+        {sans, text_of("8"), NULL}, {serif, text_of("cat"), NULL}, {sans, text_of("S"), NULL}};
     mt_motion_request request = request_of(keys, 3);
     mt_motion motion;
     mt_motion_fault fault;
@@ -218,7 +219,7 @@ static void survives_want_of_memory(void **state) {
     (void)state;
     static const write_format formats[] = {mt_svg_smil, mt_svg_css, mt_lottie, mt_apng, mt_gif, mt_webp};
     mt_font *a = sans, *b = serif;
-    const mt_key keys[] = {{a, text_of("l")}, {b, text_of("li")}, {a, text_of("i")}};
+    const mt_key keys[] = {{a, text_of("l"), NULL}, {b, text_of("li"), NULL}, {a, text_of("i"), NULL}};
     mt_motion_request request = request_of(keys, 3);
     for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
         mt_motion motion;

@@ -1,4 +1,4 @@
-/* Colours of an animation: sRGB, mixed channel by channel as SVG and CSS do. */
+/* Colours: sRGB, mixed channel by channel as SVG and CSS do. */
 #pragma once
 
 #include <stdbool.h>
@@ -8,7 +8,7 @@ typedef struct mt_colour {
     uint8_t red, green, blue;
 } mt_colour;
 
-/* #rgb, #rrggbb, or one of the 17 names of CSS 2.1; false for anything else. */
+/* #rgb, #rrggbb, or a name (W3C, "CSS Color Module Level 4", 6.1), in either case; false for anything else. */
 bool mt_colour_read(const char *text, mt_colour *colour);
 /* #rrggbb */
 void mt_colour_write(mt_colour colour, char text[8]);
