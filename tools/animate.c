@@ -78,8 +78,9 @@ static int fail_to_write(const cli_options *options, mt_status status, mt_movie_
         return fail("%s: the command ffmpeg makes .mp4 and .webm, and is not installed", options->output);
     if (movie == MT_MOVIE_FAILED) return fail("%s: ffmpeg could not make it", options->output);
     if (status == MT_TOO_LARGE)
-        return fail("%s: too large: over %d frames in a play, or more than its format holds", options->output,
-                    MT_FRAMES_MAX);
+        return fail("%s: too large: over %d frames in a play, over 2^35 pixels in all of them, or over 2^22 "
+                    "segments at all key times",
+                    options->output, MT_FRAMES_MAX);
     return fail_status(options->output, status);
 }
 

@@ -86,7 +86,8 @@ static mt_status take(const mt_drawn_frame *frame, void *user) {
 static mt_status play(const mt_motion *motion, char *const *arguments, mt_movie_fault *fault) {
     mt_movie_pipe pipe;
     int plays = motion->request.timing.plays;
-    mt_status status = start(arguments, &pipe, fault);
+    mt_status status = mt_raster_check(motion, plays > 1 ? plays : 1);
+    if (status == MT_OK) status = start(arguments, &pipe, fault);
     if (status != MT_OK) return status;
     do status = mt_raster_play(motion, take, &pipe);
     while (status == MT_OK && --plays > 0);

@@ -68,12 +68,14 @@ static void trace(const mt_pairing_table *table, mt_part_pairs *pairs) {
 
 mt_status mt_pair_parts(const mt_figure *a, const mt_figure *b, mt_arena *arena, mt_part_pairs *pairs) {
     size_t most = (size_t)(a->count > b->count ? a->count : b->count);
+    mt_part_pairs made = {0, mt_arena_new(arena, most, sizeof *made.pairs)};
+    mt_arena_place before = mt_arena_mark(arena);
     mt_pairing_table table = {
         a, b, mt_arena_new(arena, ((size_t)a->count + 1) * ((size_t)b->count + 1), sizeof *table.cost)};
-    mt_part_pairs made = {0, mt_arena_new(arena, most, sizeof *made.pairs)};
-    if (!table.cost || !made.pairs) return MT_NO_MEMORY;
+    if (!made.pairs || !table.cost) return MT_NO_MEMORY;
     fill(&table);
     trace(&table, &made);
+    mt_arena_rewind(arena, before);
     *pairs = made;
     return MT_OK;
 }

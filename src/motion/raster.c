@@ -95,11 +95,17 @@ mt_status mt_raster_draw(const mt_motion *motion, mt_moment moment, mt_arena *ar
     return status == MT_OK ? draw(&motion->page, &drawing, arena, frame) : status;
 }
 
+mt_status mt_raster_check(const mt_motion *motion, int plays) {
+    double frames = motion->timeline.length * motion->request.timing.fps + 1;
+    return frames * plays * motion->page.width * motion->page.height > MT_PIXELS_MAX ? MT_TOO_LARGE : MT_OK;
+}
+
 mt_status mt_raster_play(const mt_motion *motion, mt_take_frame take, void *user) {
     mt_arena arena = {0}, scratch = {0};
     mt_timed_frames frames;
     mt_drawn_frame frame;
     mt_status status = mt_timeline_frames(&motion->timeline, &motion->request.timing, &arena, &frames);
+    if (status == MT_OK) status = mt_raster_check(motion, 1);
     for (int i = 0; status == MT_OK && i < frames.count; i++) {
         status = mt_raster_draw(motion, frames.list[i].moment, &scratch, &frame);
         frame.number = frames.list[i].number;

@@ -18,7 +18,13 @@ typedef mt_status (*mt_take_frame)(const mt_drawn_frame *frame, void *user);
 /* Draws one moment. `coverage` is in the arena. MT_NO_MEMORY. */
 mt_status mt_raster_draw(const mt_motion *motion, mt_moment moment, mt_arena *arena, mt_drawn_frame *frame);
 
-/* Draws the frames of a play, one after another. MT_NO_MEMORY, MT_TOO_LARGE for more than MT_FRAMES_MAX, what `take` gives. */
+/* Pixels that all frames of all plays in a file have together: a minute of 4K at 60 frames a second. */
+#define MT_PIXELS_MAX 34359738368.0
+/* MT_TOO_LARGE where so many plays have more. */
+mt_status mt_raster_check(const mt_motion *motion, int plays);
+
+/* Draws the frames of a play, one after another. MT_NO_MEMORY, MT_TOO_LARGE for more than MT_FRAMES_MAX or MT_PIXELS_MAX, what `take`
+ * gives. */
 mt_status mt_raster_play(const mt_motion *motion, mt_take_frame take, void *user);
 
 /* The pixels of a frame: red, green and blue, or these and alpha where it has no background; in the arena. NULL without memory. */

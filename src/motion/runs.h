@@ -20,5 +20,8 @@ typedef struct mt_runs {
     mt_run *list; /* one after another, from 0 to 1 */
 } mt_runs;
 
-/* In the arena. MT_NO_MEMORY. */
+/* Segments that all key times have together: what a file of them holds. */
+#define MT_KEY_SEGMENTS_MAX (1 << 22)
+
+/* In the arena. MT_TOO_LARGE for more than MT_KEY_SEGMENTS_MAX, MT_NO_MEMORY. */
 mt_status mt_runs_make(const mt_motion *motion, mt_arena *arena, mt_runs *runs);

@@ -121,9 +121,8 @@ static mt_status write_document(const mt_motion *motion, void (*content)(mt_svg 
     mt_svg svg = {.motion = motion, .xml = mt_xml_begin()};
     const char *text;
     size_t length;
-    svg.status = mt_runs_make(motion, &svg.arena, &svg.runs);
     begin(&svg);
-    if (svg.status == MT_OK) content(&svg, user);
+    content(&svg, user);
     mt_xml_close(&svg.xml);
     mt_status status = mt_xml_end(&svg.xml, &text, &length);
     if (svg.status != MT_OK) status = svg.status;
@@ -225,8 +224,13 @@ static void write_visibility(mt_svg *svg, const mt_run *run) {
     mt_xml_close(&svg->xml);
 }
 
+static void find_runs(mt_svg *svg) {
+    if (svg->status == MT_OK) svg->status = mt_runs_make(svg->motion, &svg->arena, &svg->runs);
+}
+
 static void write_smil(mt_svg *svg, const void *user) {
     (void)user;
+    find_runs(svg);
     write_background(svg);
     for (int i = 0; i < svg->runs.count; i++) {
         const mt_run *run = &svg->runs.list[i];
@@ -319,6 +323,7 @@ static void add_run(mt_svg *svg, mt_value *style, int number) {
 static void write_css(mt_svg *svg, const void *user) {
     mt_value style = {0};
     (void)user;
+    find_runs(svg);
     add(&style, "\n");
     for (int i = 0; i < svg->runs.count; i++) add_run(svg, &style, i);
     mt_xml_text(&svg->xml, "style", end_value(svg, &style));

@@ -4,7 +4,7 @@
 #include "base/buffer.h"
 #include "motion/motion.h"
 
-/* By SMIL: animate elements with key times (W3C, "SVG Animations Level 2"). The bytes are the caller's. MT_NO_MEMORY. */
+/* By SMIL: animate elements with key times (W3C, "SVG Animations Level 2"). The bytes are the caller's. MT_NO_MEMORY, and as mt_runs_make. */
 mt_status mt_svg_smil(const mt_motion *motion, mt_buffer *file);
 /* By CSS: keyframes of the property d ("SVG 2", 9.3.1). */
 mt_status mt_svg_css(const mt_motion *motion, mt_buffer *file);

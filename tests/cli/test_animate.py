@@ -564,6 +564,13 @@ class Usage(Animate):
                      'cubic-bezier(0,-2,1,3)', says=['too large'])
         self.refused(1, 'animate', f'{SANS}=g', f'{SERIF}=8', '-o', 'x.gif', '--duration', 600, '--fps', 50,
                      says=['20000 frames'])
+        self.refused(1, 'animate', f'{SANS}=g', f'{SERIF}=8', '-o', 'x.apng', '--duration', 100, '--canvas', '8000x8000',
+                     says=['2^35 pixels'])
+        self.refused(1, 'animate', f'{SANS}=g', f'{SERIF}=8', '-o', 'x.mp4', '--duration', 100, '--canvas', '1000x1000', '--loop',
+                     1000, says=['2^35 pixels'])
+        word, slow = 'go8a' * 2, ('--duration', 600, '--ease', 'cubic-bezier(0.3,-1,0.6,2)')
+        for output in ('x.svg', 'x.json'):
+            self.refused(1, 'animate', f'{SANS}={word}', f'{SERIF}={word}', '-o', output, '--size', 8, *slow, says=['2^22 segments'])
 
     def test_hints_are_read(self):
         self.write('hints.txt', 'nonsense\n')
