@@ -243,6 +243,40 @@ static void survives_want_of_memory(void **state) {
     }
 }
 
+/* From drawing to drawing no font is asked, so that all of it can be failed: drawings read, parts prepared, the canvas. */
+static mt_status make_of_drawings(void) {
+    static const char ring[] =
+        "<svg viewBox='0 0 9 9'><path fill-rule='evenodd' d='M0 0H9V9H0zM3 3H6V6H3z'/></svg>";
+    static const char bar[] =
+        "<svg viewBox='0 0 9 9'><path d='M0 0H9V3H0z'/><circle cx='4' cy='2' r='2'/></svg>";
+    mt_arena arena = {0};
+    mt_svg_drawing drawings[2];
+    const char *problem;
+    mt_key keys[] = {{.drawing = &drawings[0]}, {.drawing = &drawings[1]}};
+    mt_motion_request request = request_of(keys, 2);
+    mt_status status = mt_svg_read((const uint8_t *)ring, sizeof ring - 1, &arena, &drawings[0], &problem);
+    if (status == MT_OK)
+        status = mt_svg_read((const uint8_t *)bar, sizeof bar - 1, &arena, &drawings[1], &problem);
+    if (status == MT_OK) status = make(&request, mt_apng);
+    mt_arena_release(&arena);
+    return status;
+}
+
+static void drawings_survive_want_of_memory(void **state) {
+    (void)state;
+    mt_status status = MT_NO_MEMORY;
+    for (long fails = 0; status == MT_NO_MEMORY; fails++) {
+        mt_allocation_watch();
+        mt_allocation_fail(fails, true);
+        status = make_of_drawings();
+        mt_allocation_succeed();
+        assert_int_equal(mt_allocation_live(), 0);
+        mt_allocation_unwatch();
+        assert_true(fails < 10000);
+    }
+    mt_assert_ok(status);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(parts_are_paired_in_order),
@@ -251,6 +285,7 @@ int main(void) {
         cmocka_unit_test(ends_are_the_sources),
         cmocka_unit_test(surplus_grows),
         cmocka_unit_test(survives_want_of_memory),
+        cmocka_unit_test(drawings_survive_want_of_memory),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
