@@ -5,6 +5,7 @@
 #include "morph/between/variable_outline.h"
 #include "morph/paper/rotation.h"
 #include "morph/prepare.h"
+#include "motion/symmetry.h"
 
 /* How far a point may be from the way that formula (5) takes it, 1/1000 em. */
 #define TURN_WITHIN 1.0
@@ -42,8 +43,12 @@ static mt_status morph(const mt_figure_part *a, const mt_figure_part *b, const m
                        const mt_params *params, mt_arena *scratch, mt_arena *kept, mt_moving_part *part) {
     mt_morph prepared;
     mt_variable_outline contours;
-    mt_status status = mt_morph_prepare(&a->shape, &b->shape, hints, params, scratch, &prepared);
+    mt_axis_hints axis = hints->count ? (mt_axis_hints){0} : mt_axis_hints_of(&a->shape, &b->shape);
+    const mt_hints found = {axis.count, axis.list};
+    mt_status status =
+        mt_morph_prepare(&a->shape, &b->shape, axis.count ? &found : hints, params, scratch, &prepared);
     if (status == MT_OK) status = mt_variable_outline_make(&prepared, params, scratch, &contours);
+    if (status == MT_OK && prepared.degrees == 0) status = mt_axis_mirror(&axis, &contours, scratch);
     if (status != MT_OK) return status;
     part->turning = (mt_morph){.a.box = prepared.a.box, .b.box = prepared.b.box, .degrees = prepared.degrees};
     return keep_contours(&contours, kept, &part->contours);

@@ -103,6 +103,88 @@ static void a_ring_stays_a_ring(void **state) {
     mt_moving_free(moving);
 }
 
+/* ---- symmetry -------------------------------------------------------------------------------------------- */
+
+typedef struct place {
+    double x, y;
+} place;
+
+typedef struct places {
+    int count;
+    place list[256];
+} places;
+
+static void add_place(places *p, double x, double y) {
+    assert_true(p->count < 256);
+    p->list[p->count++] = (place){x, y};
+}
+
+static void note_place(double x, double y, void *user) {
+    add_place(user, x, y);
+}
+
+static void note_curve(double cx, double cy, double x, double y, void *user) {
+    add_place(user, cx, cy);
+    add_place(user, x, y);
+}
+
+static void note_end(void *user) {
+    (void)user;
+}
+
+static mt_path *star(void) {
+    static const double corners[][2] = {{50, 95}, {39, 62}, {4, 62},  {32, 41}, {21, 7},
+                                        {50, 28}, {79, 7},  {68, 41}, {96, 62}, {61, 62}};
+    mt_path *path;
+    mt_assert_ok(mt_path_new(100, &path));
+    for (int i = 0; i < 10; i++)
+        mt_assert_ok(i ? mt_path_line_to(path, corners[i][0], corners[i][1])
+                       : mt_path_move_to(path, corners[i][0], corners[i][1]));
+    return path;
+}
+
+static mt_path *heart(void) {
+    mt_path *path;
+    mt_assert_ok(mt_path_new(100, &path));
+    mt_assert_ok(mt_path_move_to(path, 50, 8));
+    mt_assert_ok(mt_path_cubic_to(path, 80, 34, 94, 48, 94, 68));
+    mt_assert_ok(mt_path_cubic_to(path, 94, 90, 60, 100, 50, 79));
+    mt_assert_ok(mt_path_cubic_to(path, 40, 100, 6, 90, 6, 68));
+    mt_assert_ok(mt_path_cubic_to(path, 6, 48, 20, 34, 50, 8));
+    return path;
+}
+
+/* Every point has its image on the other side of x = 50. */
+static void assert_symmetric(const places *p) {
+    for (int i = 0; i < p->count; i++) {
+        bool found = false;
+        for (int k = 0; k < p->count; k++)
+            found = found || (fabs(p->list[i].x + p->list[k].x - 100) < 0.01 &&
+                              fabs(p->list[i].y - p->list[k].y) < 0.01);
+        assert_true(found);
+    }
+}
+
+static void star_and_heart_stay_symmetric(void **state) {
+    (void)state;
+    static const mt_draw noting = {note_place, note_place, note_curve, note_end};
+    mt_params params = mt_params_default();
+    for (int swapped = 0; swapped < 2; swapped++) {
+        mt_path *a = swapped ? heart() : star(), *b = swapped ? star() : heart();
+        mt_moving *moving;
+        mt_assert_ok(mt_moving_new(a, b, &params, &moving));
+        for (int i = 0; i <= 8; i++) {
+            places p = {0};
+            mt_assert_ok(mt_moving_draw(moving, i / 8.0, &noting, &p));
+            assert_true(p.count > 10);
+            assert_symmetric(&p);
+        }
+        mt_moving_free(moving);
+        mt_path_free(a);
+        mt_path_free(b);
+    }
+}
+
 static void bad_input_is_refused(void **state) {
     (void)state;
     mt_path *path, *blank;
@@ -165,6 +247,7 @@ static void survives_want_of_memory(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ring_stays_a_ring),
+        cmocka_unit_test(star_and_heart_stay_symmetric),
         cmocka_unit_test(bad_input_is_refused),
         cmocka_unit_test(survives_want_of_memory),
     };
