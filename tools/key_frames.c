@@ -78,7 +78,7 @@ static void list_left_out(unsigned left_out, char *line, size_t room) {
                                                      "clip paths",
                                                      "markers",
                                                      "scripts",
-                                                     "style sheets",
+                                                     "rules of style sheets",
                                                      "references to other files",
                                                      "opacity",
                                                      "foreign objects",

@@ -15,8 +15,8 @@ typedef enum mt_left_out {
     MT_LEFT_CLIP_PATHS = 1 << 6,
     MT_LEFT_MARKERS = 1 << 7,
     MT_LEFT_SCRIPTS = 1 << 8,
-    MT_LEFT_STYLE_SHEETS = 1 << 9,
-    MT_LEFT_REFERENCES = 1 << 10, /* to other files */
+    MT_LEFT_STYLE_SHEETS = 1 << 9, /* rules of these that select otherwise than by a name, a class or an id */
+    MT_LEFT_REFERENCES = 1 << 10,  /* to other files */
     MT_LEFT_OPACITY = 1 << 11,
     MT_LEFT_FOREIGN = 1 << 12,
     MT_LEFT_ANIMATIONS = 1 << 13,

@@ -6,19 +6,25 @@
 
 #include "drawing/element.h"
 #include "drawing/pen.h"
+#include "drawing/style_sheet.h"
 #include "drawing/xml_tree.h"
 #include "geometry/limits.h"
 
 /* Elements that are looked at, those that use elements show again each time. */
 #define ELEMENTS_MAX 65536
 
+/* Bytes of attributes, those of elements that are used again each time, and of class for each rule of a style sheet. */
+#define BYTES_MAX ((size_t)1 << 28)
+
 #define SVG_NAMESPACE "http://www.w3.org/2000/svg"
 #define TOO_DEEP "its elements are nested over 100 levels deep"
 
 typedef struct mt_svg_reading {
     xmlHashTable *by_id;
+    mt_style_sheet sheet;
     mt_pen pen;
     int elements, depth;
+    size_t bytes; /* of attributes that are read, as often as they are */
     mt_view view; /* around the element at hand, for shares in per cent */
     int colours;  /* of what is drawn: 0, 1, or 2 for more */
     mt_colour colour;
@@ -38,7 +44,7 @@ static bool is_svg(const xmlNode *node) {
 
 /* ---- styles ---------------------------------------------------------------------------------------------- */
 
-static mt_style style_of(const xmlNode *element, const mt_style *parent) {
+static mt_style style_of(const mt_svg_reading *r, const xmlNode *element, const mt_style *parent) {
     mt_style style = mt_style_inherited(parent);
     const char *declarations = mt_element_attribute(element, "style");
     for (const xmlAttr *a = element->properties; a; a = a->next) {
@@ -46,6 +52,7 @@ static mt_style style_of(const xmlNode *element, const mt_style *parent) {
         if (strncmp((const char *)a->name, "on", 2) == 0) style.left_out |= MT_LEFT_SCRIPTS;
         mt_style_set(&style, (const char *)a->name, (const char *)a->children->content);
     }
+    mt_style_sheet_apply(&r->sheet, element, &style);
     if (declarations) mt_style_set_all(&style, declarations);
     return style;
 }
@@ -58,7 +65,6 @@ static unsigned left_out_of(const xmlNode *element) {
     } kinds[] = {{"text", MT_LEFT_TEXT},
                  {"image", MT_LEFT_IMAGES},
                  {"script", MT_LEFT_SCRIPTS},
-                 {"style", MT_LEFT_STYLE_SHEETS},
                  {"foreignObject", MT_LEFT_FOREIGN},
                  {"animate", MT_LEFT_ANIMATIONS},
                  {"animateTransform", MT_LEFT_ANIMATIONS},
@@ -132,7 +138,7 @@ static void read_use(mt_svg_reading *r, const xmlNode *element, const mt_style *
     mt_view place = place_of(r, element);
     if (!used || !is_svg(used)) return;
     if (is_named(used, "symbol")) {
-        mt_style own = style_of(used, style);
+        mt_style own = style_of(r, used, style);
         read_view(r, used, &place, &own);
         return;
     }
@@ -158,6 +164,16 @@ static void read_shown(mt_svg_reading *r, const xmlNode *element, const mt_style
     r->left_out |= style->left_out;
 }
 
+static size_t bytes_of(const mt_svg_reading *r, const xmlNode *element) {
+    size_t bytes = 0;
+    for (const xmlAttr *a = element->properties; a; a = a->next) {
+        size_t times = strcmp((const char *)a->name, "class") == 0 ? (size_t)r->sheet.count + 1 : 1;
+        if (a->children && a->children->type == XML_TEXT_NODE)
+            bytes += strlen((const char *)a->children->content) * times;
+    }
+    return bytes;
+}
+
 static void read_element(mt_svg_reading *r, const xmlNode *element, const mt_style *parent) {
     mt_affine before = r->pen.map, own;
     const char *transform = mt_element_attribute(element, "transform");
@@ -166,11 +182,12 @@ static void read_element(mt_svg_reading *r, const xmlNode *element, const mt_sty
         r->status = MT_BAD_DRAWING;
         return;
     }
-    if (++r->elements > ELEMENTS_MAX) {
+    r->bytes += bytes_of(r, element);
+    if (++r->elements > ELEMENTS_MAX || r->bytes > BYTES_MAX) {
         r->status = MT_TOO_LARGE;
         return;
     }
-    mt_style style = style_of(element, parent);
+    mt_style style = style_of(r, element, parent);
     r->left_out |= left_out_of(element);
     if (!style.shown) return;
     if (transform && mt_transform_read(transform, &own)) r->pen.map = mt_affine_after(&r->pen.map, &own);
@@ -283,6 +300,29 @@ bool mt_svg_looks_so(const uint8_t *bytes, size_t length) {
     return i < length && bytes[i] == '<';
 }
 
+/* The text of an element's children, in the arena. NULL without memory. */
+static char *text_of(const xmlNode *element, mt_arena *arena) {
+    size_t length = 0;
+    for (const xmlNode *child = element->children; child; child = child->next)
+        if (child->type == XML_TEXT_NODE) length += strlen((const char *)child->content);
+    char *text = mt_arena_new(arena, length + 1, 1), *to = text;
+    for (const xmlNode *child = element->children; text && child; child = child->next)
+        if (child->type == XML_TEXT_NODE) to = stpcpy(to, (const char *)child->content);
+    return text;
+}
+
+/* All style elements, wherever they stand. */
+static mt_status read_sheets(mt_svg_reading *r, const xmlNode *element, mt_arena *arena) {
+    if (is_svg(element) && is_named(element, "style")) {
+        char *text = text_of(element, arena);
+        return text ? mt_style_sheet_add(text, arena, &r->sheet) : MT_NO_MEMORY;
+    }
+    mt_status status = MT_OK;
+    for (const xmlNode *child = element->children; child && status == MT_OK; child = child->next)
+        if (child->type == XML_ELEMENT_NODE) status = read_sheets(r, child, arena);
+    return status;
+}
+
 /* Of several elements with one id, the first has it. */
 static bool list_ids(const xmlNode *element, xmlHashTable *by_id) {
     const char *id = mt_element_attribute(element, "id");
@@ -296,7 +336,11 @@ static bool list_ids(const xmlNode *element, xmlHashTable *by_id) {
 
 static mt_status read_root(mt_svg_reading *r, const xmlNode *root, mt_arena *arena, mt_svg_drawing *drawing) {
     const mt_style initial = mt_style_initial();
-    mt_style style = style_of(root, &initial);
+    r->sheet.whole = true;
+    r->status = read_sheets(r, root, arena);
+    if (r->status != MT_OK) return r->status;
+    if (!r->sheet.whole) r->left_out |= MT_LEFT_STYLE_SHEETS;
+    mt_style style = style_of(r, root, &initial);
     bool has_view = find_view(root, &r->view);
     mt_view view = r->view;
     if (style.shown) read_children(r, root, &style);

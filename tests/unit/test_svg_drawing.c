@@ -186,7 +186,7 @@ static void only_solid_fills_are_drawn(void **state) {
         {"<g style='mask:url(#m);clip-path: url(#c)'><rect width='9' height='9'/></g>",
          MT_LEFT_MASKS | MT_LEFT_CLIP_PATHS, true},
         {"<text>a</text><image href='http://example.org/a.png'/>", MT_LEFT_TEXT | MT_LEFT_IMAGES, false},
-        {"<script>alert(1)</script><style>*{}</style>", MT_LEFT_SCRIPTS | MT_LEFT_STYLE_SHEETS, false},
+        {"<script>alert(1)</script><style>g > a{}</style>", MT_LEFT_SCRIPTS | MT_LEFT_STYLE_SHEETS, false},
         {"<rect width='9' height='9' onclick='x()'/>", MT_LEFT_SCRIPTS, true},
         {"<use href='other.svg#a'/>", MT_LEFT_REFERENCES, false},
         {"<clipPath id='c'><rect width='9' height='9'/></clipPath>", 0, false},
@@ -208,6 +208,52 @@ static void only_solid_fills_are_drawn(void **state) {
         assert_int_equal(beside.layers.count, 1 + drawn);
         mt_arena_release(&arena);
     }
+}
+
+static void style_sheets_select_by_name_class_and_id(void **state) {
+    (void)state;
+    static const char shapes[] =
+        "<rect class='a b' width='10' height='10'/><rect id='r' x='20' width='10' height='10'/>"
+        "<path d='M45 0h10v8h-10z'/>";
+    static const struct {
+        const char *sheet;
+        double area;
+    } cases[] = {
+        {"", 280},
+        {".b{fill:none}", 180},
+        {"/* .b */ .c,.a {fill:none} #r{fill:red}", 180},
+        {"rect{fill:none}", 80},
+        {"*{fill:none} path{fill:red}", 80},
+        {".b{fill:red} rect{fill:none}", 180}, /* a class outweighs a name */
+        {"#r{fill:red} *{fill:none}", 100},
+        {"@media print { rect{fill:none} } #r{fill:none}", 180},
+        {"<![CDATA[.a>.b,#r{fill:none}]]>", 180},
+        {".b{fill:none", 280},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1024];
+        snprintf(text, sizeof text, "%s<style>%s</style>", shapes, cases[i].sheet);
+        assert_area(text, cases[i].area);
+    }
+}
+
+/* A long attribute on an element that is used again and again. */
+static void long_attributes_do_not_explode(void **state) {
+    (void)state;
+    enum { LONG = 1 << 20, USES = 1000 };
+    char *text = mt_test_new(LONG + 100 * USES, 1), *at = text;
+    mt_arena arena = {0};
+    mt_svg_drawing drawing;
+    const char *problem;
+    at += sprintf(at, HEAD "<circle id='a' r='5' style='");
+    memset(at, ';', LONG);
+    at += LONG;
+    at += sprintf(at, "'/>");
+    for (int i = 0; i < USES; i++) at += sprintf(at, "<use href='#a'/>");
+    sprintf(at, "</svg>");
+    assert_int_equal(read(text, &arena, &drawing, &problem), MT_TOO_LARGE);
+    mt_arena_release(&arena);
+    free(text);
 }
 
 static void one_colour_is_told(void **state) {
@@ -373,12 +419,20 @@ static void survives_want_of_memory(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(path_commands_say_the_same), cmocka_unit_test(wrong_paths_are_drawn_up_to_there),
-        cmocka_unit_test(arcs_are_of_ellipses),       cmocka_unit_test(rules_and_layers_make_holes_or_do_not),
-        cmocka_unit_test(places_are_transformed),     cmocka_unit_test(only_solid_fills_are_drawn),
-        cmocka_unit_test(one_colour_is_told),         cmocka_unit_test(the_view_is_an_em),
-        cmocka_unit_test(bad_input_is_refused),       cmocka_unit_test(uses_do_not_explode),
-        cmocka_unit_test(crossings_have_a_limit),     cmocka_unit_test(survives_want_of_memory),
+        cmocka_unit_test(path_commands_say_the_same),
+        cmocka_unit_test(wrong_paths_are_drawn_up_to_there),
+        cmocka_unit_test(arcs_are_of_ellipses),
+        cmocka_unit_test(rules_and_layers_make_holes_or_do_not),
+        cmocka_unit_test(places_are_transformed),
+        cmocka_unit_test(only_solid_fills_are_drawn),
+        cmocka_unit_test(style_sheets_select_by_name_class_and_id),
+        cmocka_unit_test(long_attributes_do_not_explode),
+        cmocka_unit_test(one_colour_is_told),
+        cmocka_unit_test(the_view_is_an_em),
+        cmocka_unit_test(bad_input_is_refused),
+        cmocka_unit_test(uses_do_not_explode),
+        cmocka_unit_test(crossings_have_a_limit),
+        cmocka_unit_test(survives_want_of_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
