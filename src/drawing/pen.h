@@ -6,7 +6,7 @@
 #include "geometry/union.h"
 
 /* Segments of one drawing: far more than a logo or an icon has. */
-#define MT_DRAWING_SEGMENTS_MAX 16384
+#define MT_DRAWING_SEGMENTS_MAX 8192
 
 typedef struct mt_pen_segment {
     int degree;           /* 1 or 3 */

@@ -19,5 +19,5 @@ mt_status mt_outline_shape(const mt_outline *outline, double tolerance, mt_arena
 
 /* The same of layers, ink where any of them has ink. MT_TOO_LARGE for more than MT_POINTS_MAX points, or more than
  * MT_LAYER_CROSSINGS_MAX crossings; and as mt_flatten and mt_union. */
-#define MT_LAYER_CROSSINGS_MAX 100000
+#define MT_LAYER_CROSSINGS_MAX 10000
 mt_status mt_layers_shape(const mt_layers *layers, double tolerance, mt_arena *arena, mt_shape *shape);
