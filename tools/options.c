@@ -307,6 +307,7 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'm':
     case 's':
     case 'R':
+    case 'I':
     case 'j': return read_param(options, letter, argument);
     default: return motion_read(command->name, letter, argument, &options->motion) ? GO_ON : WRONG_USAGE;
     }

@@ -190,9 +190,24 @@ class Fonts(cli.Test):
         self.assertTrue(any('DejaVu Sans Bold' in line for line in said), said)
         self.assertTrue(any('x.ttf' in line for line in said), said)
 
+    def test_slant_is_measured_given_or_left_out(self):
+        """Nimbus Sans and its italic, which leans by 12 degrees."""
+        urw = cli.DEBIAN / 'opentype/urw-base35'
+        fonts = urw / 'NimbusSans-Regular.otf', urw / 'NimbusSans-Italic.otf'
+        found = {}
+        for slant in ((), ('--slant', 'auto'), ('--slant', '12'), ('--slant', '0')):
+            said = self.made('blend', *fonts, '--text', 'dk', '-v', *slant, '-o', 'x.ttf')
+            found[slant[-1:]] = [float(line.split('leans ')[1].split()[0]) for line in said if 'leans' in line]
+        self.assertEqual(found[()], found['auto',])
+        self.assertTrue(11 <= found[()][0] <= 13, found)
+        self.assertEqual(found['12',], [12])
+        self.assertEqual(found['0',], [])
+        said = self.made('blend', *reversed(fonts), '--text', 'dk', '-v', '-o', 'x.ttf')
+        self.assertTrue(any(f'leans {-found[()][0]:.1f} degrees' in line for line in said), said)
+
     def test_every_option_of_the_engine_is_taken(self):
         self.made('blend', cli.SANS_BOLD, cli.SERIF, '--text', 'aB', '--method', 'paper', '--tolerance', 1, '--fit', '0.5', '--weights',
-                  '0.5,0.25,0.25', '--rounds', 3, '--threshold', '0.2', '--one-scale', '--rotate', '-7.5', '-j', 1,
+                  '0.5,0.25,0.25', '--rounds', 3, '--threshold', '0.2', '--one-scale', '--rotate', '-7.5', '--slant', '-3.5', '-j', 1,
                   '-o', 'x.ttf')
         self.made('blend', cli.SANS_BOLD, cli.SERIF, '--text', 'aB', '--rotate', 'auto', '-o', 'y.ttf')
         subprocess.run(['ots-sanitize', self.path('x.ttf')], check=True, stdout=subprocess.DEVNULL)

@@ -40,7 +40,7 @@ class Usage(cli.Test):
 
     def test_parameters(self):
         for name, values in (('tolerance', ('0', '0.04', '11', 'fine')), ('fit', ('0', 'x')), ('method', ('', 'Paper', 'other')), ('rounds', ('-1', '1001', '1.5')),
-                             ('threshold', ('-0.1', '1.1')), ('rotate', ('361', 'left', 'nan')), ('jobs', ('0', '-1', '1025')),
+                             ('threshold', ('-0.1', '1.1')), ('rotate', ('361', 'left', 'nan')), ('slant', ('46', 'right', 'nan')), ('jobs', ('0', '-1', '1025')),
                              ('weights', ('1', '1,0', '0.5,0.5,0.5', '2,-1,0', '0.5,0.25,0.25,0', 'a,b,c', ''))):
             for value in values:
                 with self.subTest(name=name, value=value):
