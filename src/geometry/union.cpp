@@ -107,17 +107,22 @@ mt_status ring_of(const Path &path, mt_arena *arena, mt_ring *ring) {
     return MT_OK;
 }
 
-/* One outer polygon of the tree with its holes. */
+/* One outer polygon of the tree with its holes. Where edges lie on one another, as in a ring that is folded to a line, Clipper gives
+ * polygons that enclose nothing, or lie the wrong way around: these are no ink, and no holes. */
 mt_status component_of(const PolyNode &outer, mt_arena *arena, mt_component *component) {
     size_t count = outer.Childs.size() + 1;
     *component = {static_cast<int>(count),
                   static_cast<mt_ring *>(mt_arena_new(arena, count, sizeof(mt_ring)))};
     if (!component->rings) return MT_NO_MEMORY;
     mt_status status = ring_of(outer.Contour, arena, &component->rings[0]);
-    for (size_t i = 1; status == MT_OK && i < count; i++)
-        status = ring_of(outer.Childs[i - 1]->Contour, arena, &component->rings[i]);
+    component->count = 1;
+    for (const PolyNode *hole : outer.Childs) {
+        if (status != MT_OK) return status;
+        if (Area(hole->Contour) < 0)
+            status = ring_of(hole->Contour, arena, &component->rings[component->count++]);
+    }
     if (status != MT_OK) return status;
-    std::sort(component->rings + 1, component->rings + count,
+    std::sort(component->rings + 1, component->rings + component->count,
               [](const mt_ring &a, const mt_ring &b) { return lower(a.points[0], b.points[0]); });
     return MT_OK;
 }
@@ -125,7 +130,7 @@ mt_status component_of(const PolyNode &outer, mt_arena *arena, mt_component *com
 mt_status shape_of(const PolyTree &tree, mt_arena *arena, mt_shape *shape) {
     std::vector<const PolyNode *> outers;
     for (const PolyNode *node = tree.GetFirst(); node; node = node->GetNext())
-        if (!node->IsHole()) outers.push_back(node);
+        if (!node->IsHole() && Area(node->Contour) > 0) outers.push_back(node);
     shape->count = static_cast<int>(outers.size());
     shape->components = static_cast<mt_component *>(mt_arena_new(arena, outers.size(), sizeof(mt_component)));
     if (!shape->components) return MT_NO_MEMORY;

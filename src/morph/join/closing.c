@@ -13,11 +13,11 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "geometry/disc.h"
 #include "geometry/inside.h"
 #include "geometry/limits.h"
-#include "geometry/union.h"
 
 /* The mean width of what is closed, at most, 1/1000 em: within the unit by which a variable font may be off at its ends. */
 #define CLOSED 0.75
@@ -25,7 +25,7 @@
 #define STRAIGHT 0.15
 
 #define PIECE 60.0 /* of a line, 1/1000 em */
-enum { PIECES = 40 };
+enum { PIECES = 40, LINES = 100 };
 
 enum { CHORDS = 8, ROUNDS = 3 }; /* chords of a curve: even, so that one ends half-way */
 
@@ -102,17 +102,65 @@ static mt_status flatten_all(const mt_outline *outline, mt_arena *arena, mt_ring
 
 /* ---- where it ends ---------------------------------------------------------------------------------------- */
 
-/* The area that these rings enclose, whichever way around each part of them runs, and its mean width. */
-static mt_status measure(const mt_rings *rings, mt_arena *arena, double *area, double *width) {
-    mt_arena_place before = mt_arena_mark(arena);
-    mt_shape enclosed;
+/* Where a line across rings meets an edge, and whether the edge goes up or down there. */
+typedef struct mt_meeting {
+    double at;
+    int way;
+} mt_meeting;
+
+static int compare_meetings(const void *p, const void *q) {
+    const mt_meeting *a = p, *b = q;
+    return (a->at > b->at) - (a->at < b->at);
+}
+
+static int meet_ring(const mt_ring *ring, bool upright, double line, mt_meeting *meetings) {
+    int count = 0;
+    for (int i = 0; i < ring->count; i++) {
+        mt_point p = ring->points[i], q = ring->points[(i + 1) % ring->count];
+        double a = upright ? p.x : p.y, b = upright ? q.x : q.y, u = upright ? p.y : p.x,
+               v = upright ? q.y : q.x;
+        if ((a <= line) == (b <= line)) continue;
+        meetings[count++] = (mt_meeting){u + (v - u) * (line - a) / (b - a), a <= line ? 1 : -1};
+    }
+    return count;
+}
+
+/* How much of a line the rings enclose. */
+static double enclosed_on_line(const mt_rings *rings, bool upright, double line, mt_meeting *meetings) {
+    int count = 0, winding = 0;
     double length = 0;
-    mt_status status = mt_union_unmarked(rings, MT_NONZERO, arena, &enclosed);
-    for (int i = 0; i < rings->count; i++) length += mt_ring_length(&rings->rings[i]);
-    *area = status == MT_OK ? (double)mt_shape_area2(&enclosed) / 2 : 0;
+    for (int i = 0; i < rings->count; i++)
+        count += meet_ring(&rings->rings[i], upright, line, meetings + count);
+    qsort(meetings, (size_t)count, sizeof *meetings, compare_meetings);
+    for (int i = 0; i + 1 < count; i++) {
+        winding += meetings[i].way;
+        if (winding != 0) length += meetings[i + 1].at - meetings[i].at;
+    }
+    return length;
+}
+
+static double enclosed(const mt_rings *rings, bool upright, double from, double to, mt_meeting *meetings) {
+    double area = 0, apart = (to - from) / LINES;
+    for (int i = 0; i < LINES; i++)
+        area += enclosed_on_line(rings, upright, from + (i + 0.5) * apart, meetings) * apart;
+    return area;
+}
+
+/* The area that these rings enclose, whichever way around each part of them runs, and its mean width: on lines across, and on lines
+ * along, the larger, since lines may miss what is thin along them. No union: edges that lie on one another are what it is for. */
+static mt_status measure(const mt_rings *rings, mt_arena *arena, double *area, double *width) {
+    mt_box box = mt_ring_box(&rings->rings[0]);
+    double length = 0;
+    for (int i = 0; i < rings->count; i++) {
+        length += mt_ring_length(&rings->rings[i]);
+        box = mt_box_around(box, mt_ring_box(&rings->rings[i]));
+    }
+    mt_meeting *meetings = mt_arena_new(arena, (size_t)mt_rings_corners(rings), sizeof *meetings);
+    if (!meetings) return MT_NO_MEMORY;
+    *area = fmax(enclosed(rings, false, box.min.y, box.max.y, meetings),
+                 enclosed(rings, true, box.min.x, box.max.x, meetings));
     *width = length > 0 ? 2 * *area / length : 0;
-    mt_arena_rewind(arena, before);
-    return status;
+    return MT_OK;
 }
 
 /* Each vertex of a region moved to the middle, if that is no further than `most`. */
