@@ -25,7 +25,7 @@
 #define STRAIGHT 0.15
 
 #define PIECE 60.0 /* of a line, 1/1000 em */
-enum { PIECES = 40, LINES = 100 };
+enum { PIECES = 40, LINES = 50 };
 
 enum { CHORDS = 8, ROUNDS = 3 }; /* chords of a curve: even, so that one ends half-way */
 
