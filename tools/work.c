@@ -279,7 +279,7 @@ static int set_hints(cli_work *work) {
 
 /* Says how much each font leans more than the one before. */
 static mt_status explain_slant(const cli_work *work, mt_row *row) {
-    if (!work->options->verbose || work->options->params.method == MT_METHOD_PAPER) return MT_OK;
+    if (!work->options->verbose) return MT_OK;
     mt_status status = mt_row_find_leans(row);
     for (int i = 0; status == MT_OK && i + 1 < row->font_count; i++)
         if (row->leans[i] != 0)

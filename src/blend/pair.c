@@ -36,7 +36,8 @@ mt_status mt_pair_read_rooms(mt_row *row, int step, uint32_t a, uint32_t b, mt_g
 
 mt_status mt_row_find_leans(mt_row *row) {
     mt_status status = MT_OK;
-    for (int i = 0; status == MT_OK && !row->leans_known && i + 1 < row->font_count; i++)
+    bool wanted = !row->leans_known && row->params.method == MT_METHOD_JOINT;
+    for (int i = 0; status == MT_OK && wanted && i + 1 < row->font_count; i++)
         if (row->params.slant == MT_SLANT_GIVEN)
             row->leans[i] = row->params.lean;
         else

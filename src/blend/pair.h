@@ -27,7 +27,7 @@ mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_are
  * MT_NO_PARTNER for `b` both rooms are A's. MT_NO_MEMORY. */
 mt_status mt_pair_read_rooms(mt_row *row, int step, uint32_t a, uint32_t b, mt_glyph_pair *pair);
 
-/* Fills in by how much each font leans more than the one before, once. Reads the fonts: under the row's lock, or before work begins.
+/* Fills in by how much each font leans more than the one before, once; with MT_METHOD_PAPER, which does not ask, 0. Reads the fonts: under the row's lock, or before work begins.
  * MT_NO_MEMORY. */
 mt_status mt_row_find_leans(mt_row *row);
 
