@@ -62,14 +62,33 @@ static void write_handle(mt_json *json, const char *key, double x, double y) {
     mt_json_object_end(json);
 }
 
-/* Time and easing of a key frame; the last one has none. */
+/* Time and easing of a key frame, the last of which has none; and its value, which comes next. */
 static void begin_key_frame(mt_lottie_writing *w, const mt_run *run, int key) {
     const mt_key_time *time = &run->times[key];
     mt_json_object(&w->json, NULL);
     mt_json_number(&w->json, "t", frame_at(w, time->time));
-    if (key + 1 == run->count) return;
-    write_handle(&w->json, "o", time->easing.x1, time->easing.y1);
-    write_handle(&w->json, "i", time->easing.x2, time->easing.y2);
+    if (key + 1 < run->count) {
+        write_handle(&w->json, "o", time->easing.x1, time->easing.y1);
+        write_handle(&w->json, "i", time->easing.x2, time->easing.y2);
+    }
+    mt_json_array(&w->json, "s");
+}
+
+static void end_key_frame(mt_json *json) {
+    mt_json_array_end(json);
+    mt_json_object_end(json);
+}
+
+/* A property that changes from key frame to key frame. */
+static void begin_keys(mt_json *json, const char *key) {
+    mt_json_object(json, key);
+    mt_json_int(json, "a", 1);
+    mt_json_array(json, "k");
+}
+
+static void end_keys(mt_json *json) {
+    mt_json_array_end(json);
+    mt_json_object_end(json);
 }
 
 /* ---- paths --------------------------------------------------------------------------------------------- */
@@ -123,19 +142,14 @@ static void write_path(mt_lottie_writing *w, const mt_run *run, const mt_drawing
     mt_json_one_line(json);
     mt_json_object(json, NULL);
     mt_json_text(json, "ty", "sh");
-    mt_json_object(json, "ks");
-    mt_json_int(json, "a", 1);
-    mt_json_array(json, "k");
+    begin_keys(json, "ks");
     for (int i = 0; i < run->count; i++) {
         const mt_placed *placed = &drawings[i].list[part];
         begin_key_frame(w, run, i);
-        mt_json_array(json, "s");
         write_contour(w, placed, &placed->outline.contours[contour]);
-        mt_json_array_end(json);
-        mt_json_object_end(json);
+        end_key_frame(json);
     }
-    mt_json_array_end(json);
-    mt_json_object_end(json);
+    end_keys(json);
     mt_json_object_end(json);
 }
 
@@ -151,18 +165,13 @@ static void write_fill(mt_lottie_writing *w, const mt_run *run) {
     mt_json_one_line(json);
     mt_json_object(json, NULL);
     mt_json_text(json, "ty", "fl");
-    mt_json_object(json, "c");
-    mt_json_int(json, "a", 1);
-    mt_json_array(json, "k");
+    begin_keys(json, "c");
     for (int i = 0; i < run->count; i++) {
         begin_key_frame(w, run, i);
-        mt_json_array(json, "s");
         write_colour(json, mt_motion_colour(w->motion, run->times[i].moment));
-        mt_json_array_end(json);
-        mt_json_object_end(json);
+        end_key_frame(json);
     }
-    mt_json_array_end(json);
-    mt_json_object_end(json);
+    end_keys(json);
     write_constant(json, "o", 100);
     mt_json_int(json, "r", 1); /* nonzero */
     mt_json_object_end(json);
