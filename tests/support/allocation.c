@@ -1,4 +1,5 @@
 #include "support/allocation.h"
+#include "support/check.h"
 
 #include "base/memory.h"
 
@@ -49,4 +50,18 @@ long mt_allocation_live(void) {
 
 long mt_allocation_requests(void) {
     return count.requests;
+}
+
+void mt_test_want_of_memory(mt_status (*make)(void)) {
+    mt_status status = MT_NO_MEMORY;
+    for (long fails = 0; status == MT_NO_MEMORY; fails++) {
+        mt_allocation_watch();
+        mt_allocation_fail(fails, true);
+        status = make();
+        mt_allocation_succeed();
+        assert_int_equal(mt_allocation_live(), 0);
+        mt_allocation_unwatch();
+        assert_true(fails < 10000);
+    }
+    mt_assert_ok(status);
 }

@@ -264,17 +264,7 @@ static mt_status make_of_drawings(void) {
 
 static void drawings_survive_want_of_memory(void **state) {
     (void)state;
-    mt_status status = MT_NO_MEMORY;
-    for (long fails = 0; status == MT_NO_MEMORY; fails++) {
-        mt_allocation_watch();
-        mt_allocation_fail(fails, true);
-        status = make_of_drawings();
-        mt_allocation_succeed();
-        assert_int_equal(mt_allocation_live(), 0);
-        mt_allocation_unwatch();
-        assert_true(fails < 10000);
-    }
-    mt_assert_ok(status);
+    mt_test_want_of_memory(make_of_drawings);
 }
 
 int main(void) {

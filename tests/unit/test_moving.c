@@ -231,17 +231,7 @@ static mt_status make(void) {
 
 static void survives_want_of_memory(void **state) {
     (void)state;
-    mt_status status = MT_NO_MEMORY;
-    for (long fails = 0; status == MT_NO_MEMORY; fails++) {
-        mt_allocation_watch();
-        mt_allocation_fail(fails, true);
-        status = make();
-        mt_allocation_succeed();
-        assert_int_equal(mt_allocation_live(), 0);
-        mt_allocation_unwatch();
-        assert_true(fails < 10000);
-    }
-    mt_assert_ok(status);
+    mt_test_want_of_memory(make);
 }
 
 int main(void) {
