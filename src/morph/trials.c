@@ -145,13 +145,12 @@ static mt_status try_all(const mt_morph *morph, const mt_hints *hints, const mt_
     if (status == MT_OK) status = mt_look_at_ends(morph, arena, &onlooker);
     if (status == MT_OK) status = mt_find_white(&morph->a.shape, &morph->b.shape, arena, &white);
     for (int i = 0; status == MT_OK && i < mt_settings_count(); i++) {
-        mt_join_context context = {hints, params, mt_settings_at(i, params), &white};
+        mt_settings settings = mt_settings_at(i, params);
         if (choice->right || choice->best.effort <= 0) break;
-        if (!registered.applies[context.settings.placing] || (context.settings.fills && white.count == 0))
-            continue;
-        if (!context.settings.fills) context.white = NULL;
-        context.settings.cache = cache;
-        mt_morph matched = placed(morph, &registered, context.settings.placing);
+        if (!registered.applies[settings.placing] || (settings.fills && white.count == 0)) continue;
+        settings.cache = cache;
+        mt_join_context context = {hints, params, settings, settings.fills ? &white : NULL};
+        mt_morph matched = placed(morph, &registered, settings.placing);
         status = try_settings(&matched, &context, onlooker, trials, choice);
     }
     return status;
