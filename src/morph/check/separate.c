@@ -32,17 +32,12 @@ static void unite(int *of, int count, int i, int k) {
         if (of[c] == high) of[c] = low;
 }
 
-static mt_box around(mt_box p, mt_box q) {
-    return (mt_box){{p.min.x < q.min.x ? p.min.x : q.min.x, p.min.y < q.min.y ? p.min.y : q.min.y},
-                    {p.max.x > q.max.x ? p.max.x : q.max.x, p.max.y > q.max.y ? p.max.y : q.max.y}};
-}
-
 static bool boxes_meet(mt_box p, mt_box q) {
     return p.min.x <= q.max.x && q.min.x <= p.max.x && p.min.y <= q.max.y && q.min.y <= p.max.y;
 }
 
 static void extend_box(mt_box *box, mt_point p) {
-    *box = around(*box, (mt_box){p, p});
+    *box = mt_box_around(*box, (mt_box){p, p});
 }
 
 /* The box that contains a contour at all T, without displacement. */
@@ -82,7 +77,7 @@ static mt_status gather(mt_mending *mending, mt_clusters *clusters) {
     for (int i = 0; i < m->contour_count; i++) {
         int head = clusters->of[i];
         clusters->area[head] += mt_contour_pair_area(&m->contours[i]);
-        clusters->boxes[head] = around(clusters->boxes[head], clusters->boxes[i]);
+        clusters->boxes[head] = mt_box_around(clusters->boxes[head], clusters->boxes[i]);
     }
     return MT_OK;
 }
