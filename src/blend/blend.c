@@ -7,20 +7,6 @@
 
 /* ---- one glyph ----------------------------------------------------------------------------------------- */
 
-static void draw_contour(const mt_contour *contour, double scale, const mt_draw *draw, void *user) {
-    mt_point start = contour->segments[contour->count - 1].end;
-    draw->move_to(start.x * scale, start.y * scale, user);
-    for (int i = 0; i < contour->count; i++) {
-        const mt_segment *s = &contour->segments[i];
-        if (s->degree == 1)
-            draw->line_to(s->end.x * scale, s->end.y * scale, user);
-        else
-            draw->quadratic_to(s->control[0].x * scale, s->control[0].y * scale, s->end.x * scale,
-                               s->end.y * scale, user);
-    }
-    draw->close(user);
-}
-
 mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const mt_draw *draw, void *user,
                          double *advance) {
     if (!(t >= 0 && t <= 1)) return MT_BAD_PARAMETER;
@@ -33,7 +19,7 @@ mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const m
         status = mt_morph_outline(&pair.morph, mt_weights_at(t), &row->params, &arena, &outline);
     if (status == MT_OK) {
         double scale = (double)mt_row_units(row) / MT_EM;
-        for (int i = 0; i < outline.count; i++) draw_contour(&outline.contours[i], scale, draw, user);
+        mt_outline_draw(&outline, scale, draw, user);
         *advance = mt_room_between(&pair.room_a, &pair.room_b, t).advance * scale;
     }
     mt_arena_release(&arena);

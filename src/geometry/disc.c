@@ -181,10 +181,8 @@ static void look_at_corners(mt_disc_search *s) {
 
 double mt_largest_disc(const mt_rings *region, double least) {
     mt_disc_search search = {region, {0}, least};
-    double length = 0;
     if (region->count == 0) return least;
-    for (int i = 0; i < region->count; i++) length += mt_ring_length(&region->rings[i]);
-    double apart = length / PLACES, rest = apart / 2;
+    double apart = mt_rings_length(region) / PLACES, rest = apart / 2;
     for (int i = 0; i < region->count; i++)
         for (int k = 0; k < region->rings[i].count; k++)
             look_along(&search, (mt_edge_number){i, k}, apart, &rest);

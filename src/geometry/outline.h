@@ -20,6 +20,12 @@ typedef struct mt_outline {
     mt_contour *contours;
 } mt_outline;
 
+/* Where a line or a quadratic that starts at `from` is at t, 0 … 1; grid units, not rounded. */
+mt_vector mt_segment_at(mt_point from, const mt_segment *segment, double t);
+
+/* An outline told to a drawer, places multiplied by `scale`. */
+void mt_outline_draw(const mt_outline *outline, double scale, const mt_draw *draw, void *user);
+
 /* Flattens each contour into a ring (not yet resolved: as drawn, overlaps and all), every point within
  * `tolerance` grid units of the curve and every curve point within it of the ring. The number of chords comes
  * from the second difference for a quadratic and from Wang's bound for a cubic (G. Wang, "The subdivision

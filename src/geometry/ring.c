@@ -17,10 +17,14 @@ mt_status mt_ring_new(mt_arena *arena, int count, mt_ring *ring) {
     return MT_OK;
 }
 
+int mt_shape_ring_count(const mt_shape *shape) {
+    int count = 0;
+    for (int k = 0; k < shape->count; k++) count += shape->components[k].count;
+    return count;
+}
+
 mt_status mt_shape_rings(const mt_shape *shape, mt_arena *arena, mt_rings *rings) {
-    size_t count = 0;
-    for (int k = 0; k < shape->count; k++) count += (size_t)shape->components[k].count;
-    mt_rings made = {0, mt_arena_new(arena, count, sizeof(mt_ring))};
+    mt_rings made = {0, mt_arena_new(arena, (size_t)mt_shape_ring_count(shape), sizeof(mt_ring))};
     if (!made.rings) return MT_NO_MEMORY;
     for (int k = 0; k < shape->count; k++)
         for (int i = 0; i < shape->components[k].count; i++)
@@ -61,6 +65,12 @@ double mt_ring_length(const mt_ring *ring) {
     for (int i = 0; i < ring->count; i++)
         sum += sqrt((double)mt_distance2(ring->points[i], ring->points[(i + 1) % ring->count]));
     return sum;
+}
+
+double mt_rings_length(const mt_rings *rings) {
+    double length = 0;
+    for (int i = 0; i < rings->count; i++) length += mt_ring_length(&rings->rings[i]);
+    return length;
 }
 
 /* ---- boxes and centres --------------------------------------------------------------------------------- */

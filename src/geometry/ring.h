@@ -55,10 +55,14 @@ int64_t mt_shape_area2(const mt_shape *shape);
 /* The number of their points. */
 int64_t mt_rings_corners(const mt_rings *rings);
 
+/* The number of a shape's rings. */
+int mt_shape_ring_count(const mt_shape *shape);
+
 /* All rings of a shape in one list; the points are shared, not copied. MT_NO_MEMORY. */
 mt_status mt_shape_rings(const mt_shape *shape, mt_arena *arena, mt_rings *rings);
 
 double mt_ring_length(const mt_ring *ring); /* grid units */
+double mt_rings_length(const mt_rings *rings);
 
 /* The smallest upright rectangle around; the box of nothing is (0, 0) to (0, 0). */
 mt_box mt_ring_box(const mt_ring *ring);

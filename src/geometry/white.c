@@ -47,8 +47,7 @@ static void find_home(mt_ring_tree *t, int outer) {
 }
 
 static mt_status list_rings(const mt_shape *shape, mt_arena *arena, mt_ring_tree *t) {
-    size_t room = 1;
-    for (int k = 0; k < shape->count; k++) room += (size_t)shape->components[k].count;
+    size_t room = (size_t)mt_shape_ring_count(shape) + 1;
     *t = (mt_ring_tree){0, mt_arena_new(arena, room, sizeof(mt_ring *)),
                         mt_arena_new(arena, room, sizeof(int)), mt_arena_new(arena, room, sizeof(bool)),
                         mt_arena_new(arena, room, sizeof(bool))};
@@ -63,9 +62,7 @@ static mt_status list_rings(const mt_shape *shape, mt_arena *arena, mt_ring_tree
 }
 
 static double mean_width(const mt_rings *region) {
-    double length = 0;
-    for (int i = 0; i < region->count; i++) length += mt_ring_length(&region->rings[i]);
-    return fabs((double)mt_component_area2(region)) / length;
+    return fabs((double)mt_component_area2(region)) / mt_rings_length(region);
 }
 
 /* A region, and how wide it is. */
@@ -118,9 +115,7 @@ static mt_status find_white(const mt_shape *shape, int most, mt_arena *arena, mt
 }
 
 static int hole_count(const mt_shape *shape) {
-    int count = 0;
-    for (int k = 0; k < shape->count; k++) count += shape->components[k].count - 1;
-    return count;
+    return mt_shape_ring_count(shape) - shape->count;
 }
 
 mt_status mt_find_white(const mt_shape *a, const mt_shape *b, mt_arena *arena, mt_white *white) {

@@ -175,20 +175,6 @@ void mt_moving_free(mt_moving *moving) {
     mt_free(moving);
 }
 
-static void draw_contour(const mt_contour *contour, double scale, const mt_draw *draw, void *user) {
-    mt_point start = contour->segments[contour->count - 1].end;
-    draw->move_to(start.x * scale, start.y * scale, user);
-    for (int i = 0; i < contour->count; i++) {
-        const mt_segment *s = &contour->segments[i];
-        double x = s->end.x * scale, y = s->end.y * scale;
-        if (s->degree == 1)
-            draw->line_to(x, y, user);
-        else
-            draw->quadratic_to(s->control[0].x * scale, s->control[0].y * scale, x, y, user);
-    }
-    draw->close(user);
-}
-
 mt_status mt_moving_draw(const mt_moving *moving, double t, const mt_draw *draw, void *user) {
     if (!(t >= 0 && t <= 1)) return MT_BAD_PARAMETER;
     mt_arena arena = {0};
@@ -196,8 +182,7 @@ mt_status mt_moving_draw(const mt_moving *moving, double t, const mt_draw *draw,
     mt_moving_part part = moving->part;
     const mt_stretch stretch = {.pairs = {.count = 1}, .parts = &part, .steps = 1};
     mt_status status = mt_stretch_at(&stretch, t, &arena, &drawing);
-    for (int i = 0; status == MT_OK && i < drawing.list[0].outline.count; i++)
-        draw_contour(&drawing.list[0].outline.contours[i], moving->em / MT_EM, draw, user);
+    if (status == MT_OK) mt_outline_draw(&drawing.list[0].outline, moving->em / MT_EM, draw, user);
     mt_arena_release(&arena);
     return status;
 }

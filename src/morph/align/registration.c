@@ -66,12 +66,6 @@ typedef struct mt_registration {
 
 /* ---- which rings go together --------------------------------------------------------------------------------------- */
 
-static int ring_count(const mt_shape *shape) {
-    int count = 0;
-    for (int k = 0; k < shape->count; k++) count += shape->components[k].count;
-    return count;
-}
-
 static double length_of(const mt_shape *shape) {
     double length = 0;
     for (int k = 0; k < shape->count; k++)
@@ -82,7 +76,8 @@ static double length_of(const mt_shape *shape) {
 
 static mt_status list_rings(const mt_shape *shape, const mt_frame *frame, bool outer, mt_arena *arena,
                             mt_ring_list *list) {
-    *list = (mt_ring_list){0, mt_arena_new(arena, (size_t)ring_count(shape), sizeof(mt_ring *)), *frame};
+    *list =
+        (mt_ring_list){0, mt_arena_new(arena, (size_t)mt_shape_ring_count(shape), sizeof(mt_ring *)), *frame};
     if (!list->rings) return MT_NO_MEMORY;
     for (int k = 0; k < shape->count; k++)
         for (int i = 0; i < shape->components[k].count; i++)
@@ -126,7 +121,7 @@ static mt_status pair_rings(mt_registration *r, bool outer, const mt_settings *s
 }
 
 static mt_status pair_all(mt_registration *r, const mt_settings *settings) {
-    r->pairs = mt_arena_new(r->arena, (size_t)ring_count(r->a) + 1, sizeof *r->pairs);
+    r->pairs = mt_arena_new(r->arena, (size_t)mt_shape_ring_count(r->a) + 1, sizeof *r->pairs);
     if (!r->pairs) return MT_NO_MEMORY;
     mt_status status = pair_rings(r, true, settings);
     if (status == MT_OK) status = pair_rings(r, false, settings);

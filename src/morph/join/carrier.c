@@ -19,15 +19,6 @@ static mt_point start_of(const mt_contour *contour, int i) {
     return contour->segments[i ? i - 1 : contour->count - 1].end;
 }
 
-static mt_vector place_on(const mt_contour *contour, int i, double t) {
-    const mt_segment *s = &contour->segments[i];
-    mt_point from = start_of(contour, i);
-    mt_point middle = s->degree == 2 ? s->control[0] : from;
-    double a = s->degree == 2 ? (1 - t) * (1 - t) : 1 - t, b = s->degree == 2 ? 2 * t * (1 - t) : 0,
-           c = s->degree == 2 ? t * t : t;
-    return (mt_vector){a * from.x + b * middle.x + c * s->end.x, a * from.y + b * middle.y + c * s->end.y};
-}
-
 static double chord(const mt_contour *contour, int i) {
     return sqrt((double)mt_distance2(start_of(contour, i), contour->segments[i].end));
 }
@@ -40,8 +31,9 @@ static void sample_contour(const mt_contour *own, const mt_contour *other, mt_ca
     for (int i = 0; i < own->count; i++) {
         int steps = steps_along(own, i);
         for (int k = 0; k < steps; k++) {
-            mt_vector here = place_on(own, i, (k + 0.5) / steps),
-                      there = place_on(other, i, (k + 0.5) / steps);
+            double t = (k + 0.5) / steps;
+            mt_vector here = mt_segment_at(start_of(own, i), &own->segments[i], t),
+                      there = mt_segment_at(start_of(other, i), &other->segments[i], t);
             carrier->samples[carrier->count++] =
                 (mt_carried_sample){here, {there.x - here.x, there.y - here.y}, chord(own, i) / steps};
         }

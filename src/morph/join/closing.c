@@ -13,9 +13,9 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "geometry/disc.h"
+#include "geometry/enclosed.h"
 #include "geometry/inside.h"
 #include "geometry/limits.h"
 
@@ -24,10 +24,12 @@
 /* How far middles lie beside a straight line for all of them to end on it, relative to how far they lie along it. */
 #define STRAIGHT 0.15
 
-#define PIECE 60.0 /* of a line, 1/1000 em */
-enum { PIECES = 40, LINES = 50 };
-
-enum { CHORDS = 8, ROUNDS = 3 }; /* chords of a curve: even, so that one ends half-way */
+#define PIECE 60.0 /* of a line, 1/1000 em; … */
+enum {
+    PIECES = 40,
+    CHORDS = 8,
+    ROUNDS = 3
+}; /* … so many at most; chords of a curve: even, so that one ends half-way */
 
 /* ---- the drawing ------------------------------------------------------------------------------------------ */
 
@@ -67,13 +69,6 @@ static int chords_of(const mt_segment *s) {
     return s->degree == 1 ? 1 : CHORDS;
 }
 
-static mt_point on_segment(mt_point from, const mt_segment *s, double t) {
-    if (s->degree == 1 || t == 1) return s->end;
-    double a = (1 - t) * (1 - t), b = 2 * t * (1 - t), c = t * t;
-    return rounded((mt_vector){a * from.x + b * s->control[0].x + c * s->end.x,
-                               a * from.y + b * s->control[0].y + c * s->end.y});
-}
-
 /* A fitted contour as a ring of known vertices: of segment 0 those behind the start of the contour, and so on. */
 static mt_status flatten(const mt_contour *contour, mt_arena *arena, mt_ring *ring) {
     int count = 0;
@@ -84,8 +79,9 @@ static mt_status flatten(const mt_contour *contour, mt_arena *arena, mt_ring *ri
     count = 0;
     for (int i = 0; i < contour->count; i++) {
         const mt_segment *s = &contour->segments[i];
-        for (int k = 1; k <= chords_of(s); k++)
-            ring->points[count++] = on_segment(from, s, (double)k / chords_of(s));
+        for (int k = 1; k < chords_of(s); k++)
+            ring->points[count++] = rounded(mt_segment_at(from, s, (double)k / chords_of(s)));
+        ring->points[count++] = s->end;
         from = s->end;
     }
     return MT_OK;
@@ -102,65 +98,12 @@ static mt_status flatten_all(const mt_outline *outline, mt_arena *arena, mt_ring
 
 /* ---- where it ends ---------------------------------------------------------------------------------------- */
 
-/* Where a line across rings meets an edge, and whether the edge goes up or down there. */
-typedef struct mt_meeting {
-    double at;
-    int way;
-} mt_meeting;
-
-static int compare_meetings(const void *p, const void *q) {
-    const mt_meeting *a = p, *b = q;
-    return (a->at > b->at) - (a->at < b->at);
-}
-
-static int meet_ring(const mt_ring *ring, bool upright, double line, mt_meeting *meetings) {
-    int count = 0;
-    for (int i = 0; i < ring->count; i++) {
-        mt_point p = ring->points[i], q = ring->points[(i + 1) % ring->count];
-        double a = upright ? p.x : p.y, b = upright ? q.x : q.y, u = upright ? p.y : p.x,
-               v = upright ? q.y : q.x;
-        if ((a <= line) == (b <= line)) continue;
-        meetings[count++] = (mt_meeting){u + (v - u) * (line - a) / (b - a), a <= line ? 1 : -1};
-    }
-    return count;
-}
-
-/* How much of a line the rings enclose. */
-static double enclosed_on_line(const mt_rings *rings, bool upright, double line, mt_meeting *meetings) {
-    int count = 0, winding = 0;
-    double length = 0;
-    for (int i = 0; i < rings->count; i++)
-        count += meet_ring(&rings->rings[i], upright, line, meetings + count);
-    qsort(meetings, (size_t)count, sizeof *meetings, compare_meetings);
-    for (int i = 0; i + 1 < count; i++) {
-        winding += meetings[i].way;
-        if (winding != 0) length += meetings[i + 1].at - meetings[i].at;
-    }
-    return length;
-}
-
-static double enclosed(const mt_rings *rings, bool upright, double from, double to, mt_meeting *meetings) {
-    double area = 0, apart = (to - from) / LINES;
-    for (int i = 0; i < LINES; i++)
-        area += enclosed_on_line(rings, upright, from + (i + 0.5) * apart, meetings) * apart;
-    return area;
-}
-
-/* The area that these rings enclose, whichever way around each part of them runs, and its mean width: on lines across, and on lines
- * along, the larger, since lines may miss what is thin along them. No union: edges that lie on one another are what it is for. */
+/* The area that these rings enclose, and its mean width. */
 static mt_status measure(const mt_rings *rings, mt_arena *arena, double *area, double *width) {
-    mt_box box = mt_ring_box(&rings->rings[0]);
-    double length = 0;
-    for (int i = 0; i < rings->count; i++) {
-        length += mt_ring_length(&rings->rings[i]);
-        box = mt_box_around(box, mt_ring_box(&rings->rings[i]));
-    }
-    mt_meeting *meetings = mt_arena_new(arena, (size_t)mt_rings_corners(rings), sizeof *meetings);
-    if (!meetings) return MT_NO_MEMORY;
-    *area = fmax(enclosed(rings, false, box.min.y, box.max.y, meetings),
-                 enclosed(rings, true, box.min.x, box.max.x, meetings));
-    *width = length > 0 ? 2 * *area / length : 0;
-    return MT_OK;
+    double length = mt_rings_length(rings);
+    mt_status status = mt_enclosed_area(rings, arena, area);
+    *width = status == MT_OK && length > 0 ? 2 * *area / length : 0;
+    return status;
 }
 
 /* Each vertex of a region moved to the middle, if that is no further than `most`. */
@@ -226,8 +169,7 @@ static void end_on_line(mt_rings *middles) {
 }
 
 /* The middles of a region's vertices. Between vertices the line that they lie on bends, and where it branches they lie around the
- * branching: what they leave open is closed in the same way. What does not close
- * so is bent and broad, or a grid or a knot: it ends on a straight line if it is long, or in a point. */
+ * branching: what they leave open is closed in the same way. */
 static mt_status find_middles(const mt_rings *region, mt_arena *arena, mt_rings *middles) {
     bool left = mt_ring_area2(&region->rings[0]) > 0;
     double area = 0, width = 0, less, narrow, enough = mt_grid_units(CLOSED);
@@ -262,7 +204,8 @@ static void pull_into_ink(const mt_shape *ink, mt_rings *rings) {
         }
 }
 
-/* Where each vertex of a region ends. */
+/* Where each vertex of a region ends. What does not close along its middles is bent and broad, or a grid or a knot: it ends on a straight
+ * line if it is long, or in a point. */
 static mt_status find_ends(const mt_rings *region, const mt_closing *c, mt_arena *arena, mt_rings *ends) {
     double area, width = 0;
     mt_status status = find_middles(region, arena, ends);

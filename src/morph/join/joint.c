@@ -33,18 +33,13 @@ static mt_part part_of(const mt_side *side, int k) {
     return (mt_part){&side->shape.components[k], side->frame};
 }
 
-static size_t rings_in(const mt_shape *shape) {
-    size_t rings = 0;
-    for (int k = 0; k < shape->count; k++) rings += (size_t)shape->components[k].count;
-    return rings;
-}
-
 /* Room for the contours and the aligned flags. */
 static mt_status start(mt_join_state *state) {
     mt_morph *m = state->morph;
     m->contour_count = 0;
-    m->contours =
-        mt_arena_new(state->arena, rings_in(&m->a.shape) + rings_in(&m->b.shape), sizeof(mt_contour_pair));
+    m->contours = mt_arena_new(
+        state->arena, (size_t)mt_shape_ring_count(&m->a.shape) + (size_t)mt_shape_ring_count(&m->b.shape),
+        sizeof(mt_contour_pair));
     m->a.aligned = mt_arena_new(state->arena, (size_t)m->a.shape.count, sizeof(bool));
     m->b.aligned = mt_arena_new(state->arena, (size_t)m->b.shape.count, sizeof(bool));
     return m->contours && m->a.aligned && m->b.aligned ? MT_OK : MT_NO_MEMORY;
