@@ -34,14 +34,14 @@ const cli_command report_command = {
         "usage: morphotype report FONT FONT -o OUT.html|json [OPTION...]\n"
         "\n"
         "Measures every glyph that blend makes of the same characters, ligatures and other forms too, at "
-        "nine places,\n"
-        "and lists them, the worst first: counts of components and holes, ink, points, kinks. The page "
-        "shows strips\n"
-        "of those that need a look. --text wants all of its characters in both fonts; of --chars those are "
-        "left out\n"
-        "that one font lacks. A glyph that cannot be blended is in the report. A glyph without a character "
-        "has its\n"
-        "name: /f_i.\n",
+        "17 places,\n"
+        "and lists them, the worst first, by what an eye would stumble over: ink that strays, clots, ink "
+        "out of range,\n"
+        "parts and holes that come or go. The page shows strips. --text wants all of its characters in "
+        "both fonts;\n"
+        "of --chars those are left out that one font lacks. A glyph that cannot be blended is in the report. "
+        "A glyph\n"
+        "without a character has its name: /f_i.\n",
     .takes = "otcELP",
     .fonts_min = 2,
     .fonts_max = 2,

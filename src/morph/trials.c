@@ -28,9 +28,6 @@
 
 /* Up to here, an appearance is not improved on: a designer's own in-betweens of far corners score .4 to .7. */
 #define SCORE_GOOD 0.8
-/* What a part, or a hole, too many or too few at one place counts beside the score, and how many count. */
-#define PART_LOSS 0.03
-#define PARTS_MOST 40
 
 /* The settings that were tried. */
 typedef struct mt_trials {
@@ -90,11 +87,6 @@ static bool was_tried(const mt_trials *trials, const mt_morph *morph) {
     return false;
 }
 
-/* What is lost with a morph: what an eye minds, and a little for each part that is out of the ends' range at one of the places. */
-static double loss_of(double score, const mt_topology_error *error) {
-    return score + PART_LOSS * fmin(error->parts, PARTS_MOST);
-}
-
 typedef struct mt_choice {
     mt_mending best;
     double loss;
@@ -116,7 +108,7 @@ static mt_status try_settings(const mt_morph *matched, const mt_join_context *co
     if (status != MT_OK || score >= choice->loss) return status;
     status = repair(&tried);
     choice->best.effort = tried.effort;
-    double loss = loss_of(score, &tried.error);
+    double loss = mt_appearance_loss(score, tried.error.parts);
     bool right = tried.error.parts == 0 && score <= SCORE_GOOD;
     if (status != MT_OK || (loss >= choice->loss && !right)) return status;
     *choice = (mt_choice){tried, loss, right};

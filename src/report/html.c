@@ -15,8 +15,8 @@ typedef struct mt_page {
     const mt_report *report;
     mt_buffer *text;
     mt_status status; /* once it is not MT_OK nothing more is written */
-    mt_buffer *
-        strips; /* of the first MT_REPORT_STRIPS flagged glyphs that did not fail, by their place in the report */
+    mt_buffer
+        *strips; /* of the first MT_REPORT_STRIPS glyphs that did not fail, by their place in the report */
     int strip_count;
 } mt_page;
 
@@ -67,7 +67,7 @@ static mt_status draw_strip(int index, mt_arena *scratch, mt_arena *kept, void *
 
 static mt_status draw_strips(mt_page *page) {
     const mt_report *report = page->report;
-    int count = report->summary.flagged - report->summary.failed;
+    int count = report->count - report->summary.failed;
     page->strip_count = count < MT_REPORT_STRIPS ? count : MT_REPORT_STRIPS;
     if (page->strip_count == 0) return MT_OK;
     page->strips = mt_new((size_t)page->strip_count, sizeof *page->strips);
@@ -144,21 +144,21 @@ static void put_summary(mt_page *page) {
 }
 
 static void put_legend(mt_page *page) {
-    put_format(page,
-               "<p><small>Measured at %d places. Components and holes are flagged when a count leaves the "
-               "range of the "
-               "ends’, ink when it leaves it by more than %d %% of the larger end, the half-way outline’s "
-               "points over "
-               "%d × those of the end with more + %d. ",
-               MT_REPORT_STEPS, (int)lround(100 * MT_INK_EXCESS), MT_REPORT_POINTS_TIMES,
-               MT_REPORT_POINTS_MORE);
     put_format(
         page,
-        "Kinks are corners of %d° … %d° half-way that neither end has; flagged over %d + 1 for each %d "
-        "points. "
-        "Crumbs are components and holes under %d square thousandths of the em; they count as nothing else. ",
-        (int)MT_REPORT_KINK_MIN, (int)MT_REPORT_KINK_MAX, MT_REPORT_KINKS, MT_REPORT_KINKS_POINTS,
-        (int)MT_CRUMB);
+        "<p><small>Measured at %d places. A glyph is flagged when its severity is %d or more: the worst "
+        "of three measures, with a little for each component and hole out of the range of the ends’. "
+        "<i>Strays</i>: ink is %d thousandths of the em or more off the way between the ends. <i>Clots</i>: "
+        "a "
+        "stroke is %d %% thicker than any of the ends’. <i>Ink</i>: its area leaves the ends’ range by "
+        "%d %% of the larger. ",
+        MT_REPORT_STEPS, (int)MT_REPORT_STUMBLES, (int)MT_STRAYS_MOST, (int)lround(100 * MT_CLOTS_MOST),
+        (int)lround(100 * MT_INK_MOST));
+    put_format(
+        page,
+        "Components and holes under %d square thousandths of the em are not counted. Kinks are corners of "
+        "%d° … %d° half-way that neither end has. ",
+        (int)MT_CRUMB, (int)MT_REPORT_KINK_MIN, (int)MT_REPORT_KINK_MAX);
     put(page,
         "Counts read: first font / least–most in between / second font. Bend is the ink’s largest distance "
         "from the straight line between the ends.</small></p>\n");
@@ -185,7 +185,9 @@ static void put_counts(mt_page *page, const mt_report_glyph *glyph, mt_report_fl
 
 static void put_figures(mt_page *page, const mt_report_glyph *glyph) {
     double bend = mt_report_ink_bend(glyph);
-    put_format(page, "<td>%s</td>", mt_report_method_name(glyph->method));
+    int64_t hundredths = llround(glyph->severity * 100);
+    put_format(page, "<td>%" PRId64 ".%02" PRId64 "</td><td>%s</td>", hundredths / 100, hundredths % 100,
+               mt_report_method_name(glyph->method));
     put_counts(page, glyph, MT_FLAG_COMPONENTS, glyph->ink_a.components, glyph->ink_b.components);
     put_counts(page, glyph, MT_FLAG_HOLES, glyph->ink_a.holes, glyph->ink_b.holes);
     put(page, "<td>");
@@ -216,14 +218,15 @@ static void put_row(mt_page *page, const mt_report_glyph *glyph) {
     if (glyph->status == MT_OK)
         put_figures(page, glyph);
     else
-        put(page, "<td colspan=\"6\"></td>");
+        put(page, "<td colspan=\"7\"></td>");
     put(page, "</tr>\n");
 }
 
-static void put_look(mt_page *page, int index) {
-    const mt_report_glyph *glyph = &page->report->glyphs[index];
+/* Why a glyph is flagged. */
+static void put_reasons(mt_page *page, const mt_report_glyph *glyph) {
     char reason[MT_REPORT_REASON_ROOM];
-    put(page, "<tr><td class=\"look\" colspan=\"7\"><ul>");
+    if (!glyph->flags) return;
+    put(page, "<ul>");
     for (unsigned flag = 1; flag <= MT_FLAG_ALL; flag <<= 1) {
         if (!(glyph->flags & flag)) continue;
         mt_report_reason(glyph, (mt_report_flag)flag, reason);
@@ -232,35 +235,38 @@ static void put_look(mt_page *page, int index) {
         put(page, "</li>");
     }
     put(page, "</ul>");
+}
+
+/* A glyph's rows. */
+static void put_glyph(mt_page *page, int index) {
+    const mt_report_glyph *glyph = &page->report->glyphs[index];
+    put(page, "<tbody>");
+    put_row(page, glyph);
+    put(page, "<tr><td class=\"look\" colspan=\"8\">");
+    put_reasons(page, glyph);
     put_strip(page, index);
-    put(page, "</td></tr>\n");
+    put(page, "</td></tr></tbody>\n");
 }
 
 static void begin_table(mt_page *page) {
     put(page, "<div class=\"scroll\"><table>\n<thead><tr>");
-    put(page, "<th scope=\"col\">Glyph</th><th scope=\"col\">Method</th><th scope=\"col\">Components</th>"
+    put(page, "<th scope=\"col\">Glyph</th><th scope=\"col\">Severity</th><th scope=\"col\">Method</th><th "
+              "scope=\"col\">Components</th>"
               "<th scope=\"col\">Holes</th><th scope=\"col\">Bend</th><th scope=\"col\">Points</th>"
               "<th scope=\"col\">Kinks</th></tr></thead>\n");
 }
 
 static void put_flagged(mt_page *page) {
     const mt_report *report = page->report;
-    int flagged = report->summary.flagged, drawable = flagged - report->summary.failed;
-    put_format(page, "<h2>Flagged, the worst first</h2>\n<p>%s", flagged ? "" : "None.");
-    if (flagged)
-        put(page,
-            "Each strip goes from T = 0 to T = 1 in eighths; coloured places are out of the ends’ range.");
-    if (drawable > page->strip_count)
-        put_format(page, " Only the worst %d of the %d have strips.", page->strip_count, drawable);
-    put(page, "</p>\n");
+    int flagged = report->summary.flagged;
+    put_format(page, "<h2>Flagged, the worst first</h2>\n<p>%s</p>\n",
+               flagged
+                   ? "Each strip goes from T = 0 to T = 1 in eighths, with places between them where one is "
+                     "coloured; coloured places are out of the ends’ range, or would be stumbled over."
+                   : "None.");
     if (!flagged) return;
     begin_table(page);
-    for (int i = 0; i < flagged; i++) {
-        put(page, "<tbody>");
-        put_row(page, &report->glyphs[i]);
-        put_look(page, i);
-        put(page, "</tbody>\n");
-    }
+    for (int i = 0; i < flagged; i++) put_glyph(page, i);
     put(page, "</table></div>\n");
 }
 
@@ -268,12 +274,20 @@ static void put_others(mt_page *page) {
     const mt_report *report = page->report;
     int flagged = report->summary.flagged;
     if (flagged == report->count) return;
-    put_format(page, "<h2>The others</h2>\n<details><summary>%d glyphs without a flag</summary>\n",
+    put_format(page,
+               "<h2>The others, the worst first</h2>\n<details><summary>%d glyphs without a flag</summary>\n"
+               "<p>Each strip goes from T = 0 to T = 1 in quarters.</p>\n",
                report->count - flagged);
     begin_table(page);
-    put(page, "<tbody>\n");
-    for (int i = flagged; i < report->count; i++) put_row(page, &report->glyphs[i]);
-    put(page, "</tbody>\n</table></div></details>\n");
+    for (int i = flagged; i < report->count; i++) put_glyph(page, i);
+    put(page, "</table></div></details>\n");
+}
+
+static void put_strips_left_out(mt_page *page) {
+    int drawable = page->report->count - page->report->summary.failed;
+    if (drawable > page->strip_count)
+        put_format(page, "<p>Only the worst %d of the %d glyphs have strips.</p>\n", page->strip_count,
+                   drawable);
 }
 
 static void put_unblended(mt_page *page) {
@@ -298,6 +312,7 @@ mt_status mt_report_html(const mt_report *report, mt_buffer *text) {
     put_head(&page);
     put_summary(&page);
     put_legend(&page);
+    put_strips_left_out(&page);
     put_flagged(&page);
     put_others(&page);
     put_unblended(&page);

@@ -16,7 +16,7 @@ static void add_font(mt_json *json, const char *key, const mt_font *font) {
 static void add_heading(mt_json *json, const mt_report *report) {
     const mt_row *row = report->row;
     mt_json_text(json, "format", "morphotype report");
-    mt_json_int(json, "version", 1);
+    mt_json_int(json, "version", 2);
     add_font(json, "a", row->fonts[0]);
     add_font(json, "b", row->fonts[1]);
     mt_json_text(json, "method", row->params.method == MT_METHOD_JOINT ? "joint" : "paper");
@@ -27,10 +27,7 @@ static void add_heading(mt_json *json, const mt_report *report) {
     mt_json_object(json, "limits");
     mt_json_number(json, "crumb", MT_CRUMB);
     mt_json_number(json, "ink", MT_INK_EXCESS);
-    mt_json_int(json, "points_times", MT_REPORT_POINTS_TIMES);
-    mt_json_int(json, "points_more", MT_REPORT_POINTS_MORE);
-    mt_json_int(json, "kinks", MT_REPORT_KINKS);
-    mt_json_int(json, "kinks_points", MT_REPORT_KINKS_POINTS);
+    mt_json_number(json, "severity", MT_REPORT_STUMBLES);
     mt_json_object_end(json);
 }
 
@@ -95,6 +92,9 @@ static void add_figures(mt_json *json, const mt_report_glyph *glyph) {
         mt_json_one_line(json);
         mt_json_object(json, NULL);
         add_ink(json, &glyph->ink[i]);
+        mt_json_number(json, "strays", glyph->seen[i].strays);
+        mt_json_number(json, "clots", glyph->seen[i].clots);
+        mt_json_number(json, "ink_excess", glyph->seen[i].ink);
         mt_json_object_end(json);
     }
     mt_json_array_end(json);

@@ -11,13 +11,11 @@
 /* ---- ink ----------------------------------------------------------------------------------------------- */
 
 /* Chords may touch where the curves do not: what is not clean is looked at again, more finely. */
-static mt_status measure_ink(const mt_outline *outline, double tolerance, mt_arena *arena, mt_topology *ink) {
-    mt_shape shape;
+static mt_status resolve(const mt_outline *outline, double tolerance, mt_arena *arena, mt_shape *ink) {
     bool clean;
-    mt_status status = mt_outline_resolve(outline, tolerance, arena, &shape, &clean);
+    mt_status status = mt_outline_resolve(outline, tolerance, arena, ink, &clean);
     if (status == MT_OK && !clean)
-        status = mt_outline_resolve(outline, tolerance / MT_OVERLAP_CARE, arena, &shape, &clean);
-    if (status == MT_OK) *ink = mt_topology_of(&shape);
+        status = mt_outline_resolve(outline, tolerance / MT_OVERLAP_CARE, arena, ink, &clean);
     return status;
 }
 
@@ -95,15 +93,32 @@ static mt_status measure_end(const mt_shape *shape, const mt_params *params, int
     return status;
 }
 
-static mt_status measure_step(const mt_morph *morph, int step, const mt_params *params, int units,
-                              mt_arena *arena, mt_report_glyph *glyph) {
+/* The ends themselves look as they should. */
+static mt_status measure_ink(const mt_onlooker *onlooker, const mt_shape *ink, int step, mt_arena *arena,
+                             mt_report_glyph *glyph) {
+    bool end = step == 0 || step == MT_REPORT_STEPS - 1;
+    glyph->ink[step] = mt_topology_of(ink);
+    glyph->seen[step] = MT_NOTHING_SEEN;
+    return end ? MT_OK : mt_look_at_ink(onlooker, ink, mt_report_t(step), arena, &glyph->seen[step]);
+}
+
+static mt_status measure_step(const mt_morph *morph, const mt_onlooker *onlooker, int step,
+                              const mt_params *params, int units, mt_arena *arena, mt_report_glyph *glyph) {
     mt_outline outline;
+    mt_shape ink;
     mt_status status = mt_morph_outline(morph, mt_weights_at(mt_report_t(step)), params, arena, &outline);
-    if (status == MT_OK)
-        status = measure_ink(&outline, mt_grid_units(params->tolerance), arena, &glyph->ink[step]);
+    if (status == MT_OK) status = resolve(&outline, mt_grid_units(params->tolerance), arena, &ink);
+    if (status == MT_OK) status = measure_ink(onlooker, &ink, step, arena, glyph);
     if (status == MT_OK && step == MT_REPORT_HALF)
         status = measure_drawing(&outline, units, arena, &glyph->drawing_half);
     return status;
+}
+
+/* Formula (5) turns all of an in-between: what is measured is not changed by it. */
+static mt_morph unturned(const mt_morph *morph) {
+    mt_morph still = *morph;
+    still.degrees = 0;
+    return still;
 }
 
 static mt_report_method method_of(const mt_morph *morph) {
@@ -115,11 +130,15 @@ mt_status mt_report_measure(const mt_glyph_pair *pair, const mt_params *params, 
                             mt_report_glyph *glyph) {
     mt_report_glyph made = {.measured = true, .of = glyph->of, .method = method_of(&pair->morph)};
     mt_arena_place before = mt_arena_mark(arena);
+    mt_morph morph = unturned(&pair->morph);
+    mt_onlooker *onlooker;
     mt_status status = measure_end(&pair->a, params, units, arena, &made.ink_a, &made.drawing_a);
     if (status == MT_OK) status = measure_end(&pair->b, params, units, arena, &made.ink_b, &made.drawing_b);
+    if (status == MT_OK) status = mt_look_at_ends(&morph, arena, &onlooker);
     for (int i = 0; status == MT_OK && i < MT_REPORT_STEPS; i++) {
-        mt_arena_rewind(arena, before);
-        status = measure_step(&pair->morph, i, params, units, arena, &made);
+        mt_arena_place place = mt_arena_mark(arena);
+        status = measure_step(&morph, onlooker, i, params, units, arena, &made);
+        mt_arena_rewind(arena, place);
     }
     mt_arena_rewind(arena, before);
     if (status == MT_OK) *glyph = made;

@@ -18,7 +18,6 @@ static int by_name(const mt_pairing *x, const mt_pairing *y) {
 
 static int worst_first(const void *p, const void *q) {
     const mt_report_glyph *x = p, *y = q;
-    if ((x->flags != 0) != (y->flags != 0)) return x->flags ? -1 : 1;
     if (x->severity != y->severity) return x->severity > y->severity ? -1 : 1;
     return by_name(&x->of, &y->of);
 }
@@ -31,8 +30,8 @@ static void summarise(mt_report *report) {
         sum->flagged += glyph->flags != 0;
         sum->failed += failed;
         if (!failed) sum->methods[glyph->method]++;
-        sum->in_range += !failed && !(glyph->flags & (MT_FLAG_COMPONENTS | MT_FLAG_HOLES));
-        sum->ink_near += !failed && !(glyph->flags & MT_FLAG_INK);
+        sum->in_range += mt_report_counts_in_range(glyph);
+        sum->ink_near += mt_report_ink_in_range(glyph);
     }
 }
 

@@ -1,5 +1,6 @@
-/* The report: every glyph of a blend measured at nine places, and those that need a look named with the
- * reason. docs/guide.md ("report") describes what is measured and the data's schema.
+/* The report: every glyph of a blend measured at seventeen places, and those that an eye would stumble over named with the
+ * reason: by the same score that the engine chooses morphs by (morph/check/appearance.h). docs/guide.md ("report") describes what is
+ * measured and the data's schema.
  *
  *     report.c          the measuring of two fonts, on threads; sorting; the file
  *     report_measure.c  the figures of one glyph
@@ -12,32 +13,26 @@
 #include "base/buffer.h"
 #include "blend/making.h"
 #include "glyphset/naming.h"
+#include "morph/check/appearance.h"
 #include "morph/check/topology.h"
 #include "morphotype.h"
 
-/* Places are T = 0, 1/8 … 1; the middle one is half-way. */
-#define MT_REPORT_STEPS 9
+/* Places are T = 0, 1/16 … 1; the middle one is half-way. */
+#define MT_REPORT_STEPS 17
 #define MT_REPORT_HALF (MT_REPORT_STEPS / 2)
 
 /* ---- limits ---------------------------------------------------------------------------------------------- */
 
-/* The half-way outline may have so many times the points of the end with more, and so many besides, which
- * glyphs of few points need for serifs that only one end has. */
-#define MT_REPORT_POINTS_TIMES 2
-#define MT_REPORT_POINTS_MORE 8
 /* A join is a corner when it turns by more than a smooth one does after rounding, and a slight one when it
  * turns by no more than the second figure, degrees; between curves or lines that are both at least so long,
  * thousandths of the em: shorter ones are fillets. */
 #define MT_REPORT_KINK_MIN 4.0
 #define MT_REPORT_KINK_MAX 30.0
 #define MT_REPORT_KINK_LENGTH 4.0
-/* Kinks are slight corners that neither end has as corners, slight or not: a serif that grows out of a line
- * passes through slight ones, and adds none to those of its end. So many are no flag, and one more for each so
- * many points of the end with more, since a long outline has a few wherever two drawings differ. */
-#define MT_REPORT_KINKS 2
-#define MT_REPORT_KINKS_POINTS 20
-/* The page has strips of so many of the worst glyphs. */
-#define MT_REPORT_STRIPS 200
+/* A severity from which on an eye stumbles. */
+#define MT_REPORT_STUMBLES 1.0
+/* The page has strips of so many glyphs, the worst. */
+#define MT_REPORT_STRIPS 1000
 
 /* ---- figures --------------------------------------------------------------------------------------------- */
 
@@ -47,16 +42,15 @@ typedef enum mt_report_method {
     MT_REPORT_BOTH,
 } mt_report_method;
 
-/* What needs a look; bits. */
+/* Why a glyph needs a look; bits. */
 typedef enum mt_report_flag {
     MT_FLAG_FAILED = 1,
     MT_FLAG_COMPONENTS = 2, /* a count is out of the ends' range at some place */
     MT_FLAG_HOLES = 4,
-    MT_FLAG_INK = 8,
-    MT_FLAG_POINTS = 16,
-    MT_FLAG_KINKS = 32,
-    MT_FLAG_CRUMBS = 64, /* crumbs that neither end has */
-    MT_FLAG_ALL = 127,
+    MT_FLAG_STRAYS = 8,
+    MT_FLAG_CLOTS = 16,
+    MT_FLAG_INK = 32,
+    MT_FLAG_ALL = 63,
 } mt_report_flag;
 
 /* How an outline is drawn. */
@@ -73,9 +67,10 @@ typedef struct mt_report_glyph {
     mt_report_method method;
     mt_topology ink_a, ink_b; /* as the fonts draw them */
     mt_topology ink[MT_REPORT_STEPS];
+    mt_appearance seen[MT_REPORT_STEPS];                  /* of each place by itself */
     mt_report_drawing drawing_a, drawing_b, drawing_half; /* a's and b's fitted by themselves */
     unsigned flags;
-    double severity; /* 0 without a flag */
+    double severity; /* what an eye minds, to a hundredth: flagged from MT_REPORT_STUMBLES on */
 } mt_report_glyph;
 
 /* ---- one glyph ------------------------------------------------------------------------------------------- */
@@ -92,17 +87,20 @@ static inline double mt_report_t(int step) {
 /* The corners of an outline; leaves its points as they are. */
 void mt_report_count_corners(const mt_outline *outline, mt_report_drawing *drawing);
 
-/* Sets flags and severity: the sum, over what is flagged, of each excess relative to its limit. */
+/* Sets severity and flags: mt_appearance_loss at the worst of all places, and with it each measure that it is made of. */
 void mt_report_judge(mt_report_glyph *glyph);
 
-/* How far a place's ink is out of the range of the ends': 0 within it, and > 0 outside. */
-double mt_report_ink_excess(const mt_report_glyph *glyph, int step); /* relative to the larger end */
+/* Whether a place is one that makes the glyph flagged, or has counts out of the ends' range. */
+bool mt_report_is_off(const mt_report_glyph *glyph, int step);
+/* Whether all counts are in the ends' range; whether all ink is, or leaves it by MT_INK_EXCESS at most. */
+bool mt_report_counts_in_range(const mt_report_glyph *glyph);
+bool mt_report_ink_in_range(const mt_report_glyph *glyph);
 /* The largest deviation of the ink from the straight line between the ends, relative to the larger end; with
  * its sign. */
 double mt_report_ink_bend(const mt_report_glyph *glyph);
+/* Slight corners half-way that neither end has as corners, slight or not: a serif that grows out of a line passes through slight ones,
+ * and adds none to those of its end. */
 int mt_report_kinks(const mt_report_glyph *glyph);
-int mt_report_kinks_limit(const mt_report_glyph *glyph);
-int mt_report_points_limit(const mt_report_glyph *glyph);
 
 /* A flag's name, and its reason in a line of English: "3 components at T = 0.5, the ends have 1 and 2". */
 const char *mt_report_flag_name(mt_report_flag flag);
@@ -130,15 +128,14 @@ typedef struct mt_report_summary {
     int flagged, failed;
     int methods[3]; /* glyphs that did not fail, by mt_report_method */
     int in_range;   /* glyphs whose components and holes are in the ends' range at every place */
-    int ink_near;   /* glyphs whose ink is within MT_REPORT_INK of it */
+    int ink_near;   /* glyphs whose ink is within MT_INK_EXCESS of it */
 } mt_report_summary;
 
 typedef struct mt_report {
     mt_row *row;       /* of two fonts */
     mt_naming *naming; /* of the first */
     int count;
-    mt_report_glyph
-        *glyphs; /* the worst first; those without a flag by code point, then by number; from mt_new */
+    mt_report_glyph *glyphs; /* the worst first; equals by code point, then by number; from mt_new */
     int unblended_count;
     mt_pairing *unblended; /* without a partner, so that there is nothing to measure; from mt_new */
     mt_report_summary summary;

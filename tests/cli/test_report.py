@@ -7,8 +7,9 @@ import unittest
 
 import cli
 
-FLAGS = ['failed', 'components', 'holes', 'ink', 'points', 'kinks', 'crumbs']
-COUNTS = {'components', 'holes', 'crumbs', 'ink'}
+FLAGS = ['failed', 'components', 'holes', 'strays', 'clots', 'ink']
+COUNTS = {'components', 'holes', 'crumbs', 'ink', 'strays', 'clots', 'ink_excess'}
+PLACES = [step / 16 for step in range(17)]
 
 
 def has_flag(glyph, *names):
@@ -21,30 +22,41 @@ class Data(cli.Test):
     def report(self, *arguments, fonts=(cli.SANS_BOLD, cli.SERIF)):
         self.assertEqual(self.made('report', *fonts, '-o', 'x.json', *arguments), [])
         data = json.loads(self.path('x.json').read_bytes())
-        self.assertEqual((data['format'], data['version']), ('morphotype report', 1))
+        self.assertEqual((data['format'], data['version']), ('morphotype report', 2))
         self.check(data)
         return data
 
     def check(self, data):
         glyphs, summary = data['glyphs'], data['summary']
-        self.assertEqual(data['at'], [step / 8 for step in range(9)])
+        self.assertEqual(data['at'], PLACES)
         self.assertEqual(summary['glyphs'], len(glyphs))
         self.assertEqual(summary['flagged'], sum(bool(glyph['flags']) for glyph in glyphs))
         self.assertEqual(summary['failed'], sum(has_flag(glyph, 'failed') for glyph in glyphs))
         for method in ('aligned', 'linked', 'both'):
             self.assertEqual(summary[method], sum(glyph.get('method') == method for glyph in glyphs))
-        for share, names in (('counts_in_range', ('components', 'holes')), ('ink_in_range', ('ink',))):
-            inside = sum(not has_flag(glyph, 'failed', *names) for glyph in glyphs)
-            self.assertAlmostEqual(summary[share], inside / len(glyphs), places=8)
-        order = [(not glyph['flags'], -glyph['severity'], glyph.get('code_point', 0x110000)) for glyph in glyphs]
+        made = [glyph for glyph in glyphs if not has_flag(glyph, 'failed')]
+        inside = sum(not any(self.parts(glyph)) for glyph in made)
+        self.assertAlmostEqual(summary['counts_in_range'], inside / len(glyphs), places=8)
+        inside = sum(all(place['ink_excess'] <= data['limits']['ink'] for place in glyph['between']) for glyph in made)
+        self.assertAlmostEqual(summary['ink_in_range'], inside / len(glyphs), places=8)
+        order = [(-glyph['severity'], glyph.get('code_point', 0x110000)) for glyph in glyphs]
         self.assertEqual(order, sorted(order))
         for glyph in glyphs:
             self.check_glyph(glyph, data['limits'])
 
+    @staticmethod
+    def parts(glyph):
+        """Components, and holes, out of the ends' range, summed over all places."""
+        found = []
+        for name in ('components', 'holes'):
+            least, most = sorted(end[name] for end in (glyph['a'], glyph['b']))
+            found.append(sum(max(0, least - place[name], place[name] - most) for place in glyph['between']))
+        return found
+
     def check_glyph(self, glyph, limits):
         names = [flag['flag'] for flag in glyph['flags']]
         self.assertEqual(names, [flag for flag in FLAGS if flag in names])
-        self.assertEqual(glyph['severity'] > 0, bool(names))
+        self.assertEqual(glyph['severity'] >= limits['severity'], bool(names))
         if 'glyph' in glyph:
             self.assertNotIn('character', glyph)
             self.assertRegex(glyph['glyph'], '^/[^/ ]+$')
@@ -54,20 +66,13 @@ class Data(cli.Test):
             self.assertNotIn('method', glyph)
             return
         ends, between = (glyph['a'], glyph['b']), glyph['between']
-        self.assertEqual([set(place) for place in between], [COUNTS] * 9)
-        for name in ('components', 'holes'):
-            least, most = sorted(end[name] for end in ends)
-            self.assertEqual(name in names, any(not least <= place[name] <= most for place in between), glyph)
-        crumbs = max(place['crumbs'] for place in between) > max(end['crumbs'] for end in ends)
-        self.assertEqual('crumbs' in names, crumbs)
-        least, most = sorted(end['ink'] for end in ends)
-        out = [max(place['ink'] - most, least - place['ink']) / most for place in between] if most else [0]
-        self.assertEqual('ink' in names, max(out) > limits['ink'])
-        points = max(end['points'] for end in ends)
-        limit = limits['points_times'] * points + limits['points_more']
-        self.assertEqual('points' in names, glyph['half']['points'] > limit)
-        limit = limits['kinks'] + points // limits['kinks_points']
-        self.assertEqual('kinks' in names, glyph['half']['kinks'] > limit)
+        self.assertEqual([set(place) for place in between], [COUNTS] * 17)
+        for place in between[1:-1]:
+            least, most = sorted(end['ink'] for end in ends)
+            out = max(0, place['ink'] - most, least - place['ink']) / most if most else 0
+            self.assertAlmostEqual(place['ink_excess'], out, delta=2e-3)
+        score = max(max(place['strays'] / 12, (place['clots'] - 1) / 0.15, place['ink_excess'] / 0.12) for place in between)
+        self.assertAlmostEqual(glyph['severity'], score + 0.03 * min(40, sum(self.parts(glyph))), delta=0.0051)
 
     def test_latin(self):
         data = self.report('--text', 'oiHB%& ')
@@ -89,7 +94,7 @@ class Data(cli.Test):
         inspection = json.loads(self.run_program('inspect', cli.SANS_BOLD, cli.SERIF, '--text', 'oRg', '--json').stdout)
         for glyph in inspection['glyphs']:
             measured = report[glyph['character']]
-            for key, place in (('a', 0), ('b', 8)):
+            for key, place in (('a', 0), ('b', 16)):
                 self.assertAlmostEqual(measured[key]['ink'], glyph[key]['area'], places=8)
                 self.assertAlmostEqual(measured['between'][place]['ink'], glyph[key]['area'], delta=1e-3)
 
@@ -113,7 +118,7 @@ class Data(cli.Test):
         self.made('report', font, font, '-o', 'x.json', '-q')
         data = json.loads(self.path('x.json').read_bytes())
         self.check(data)
-        self.assertEqual([glyph['character'] for glyph in data['glyphs']], list('ABCé'))
+        self.assertEqual({glyph['character'] for glyph in data['glyphs']}, set('ABCé'))
         self.assertEqual(data['summary']['flagged'], 0)
 
     def test_characters_in_one_font_only_are_left_out(self):
@@ -178,14 +183,19 @@ class Page(cli.Test):
         self.assertIn('prefers-color-scheme:dark', source)
         self.assertIn('name="viewport"', source)
 
-    def test_flagged_glyphs_have_strips(self):
+    def test_every_glyph_has_a_strip(self):
         arguments, fonts = ('--text', '一形國永', '--method', 'paper'), (cli.ZENHEI, cli.UKAI)
         page = self.page(*arguments, fonts=fonts)
         self.made('report', *fonts, '-o', 'x.json', *arguments)
         data = json.loads(self.path('x.json').read_bytes())
         flagged = data['summary']['flagged']
-        self.assertTrue(0 < flagged)
-        self.assertEqual((page.count('svg'), page.count('path')), (9 * flagged, 9 * flagged))
+        self.assertTrue(0 < flagged < 4)
+        between = sum(self.is_off(glyph, place) for glyph in data['glyphs'] if glyph['flags'] for place in glyph['between'][1::2])
+        pictures = 9 * flagged + between + 5 * (4 - flagged)
+        self.assertEqual((page.count('svg'), page.count('path')), (pictures, pictures))
+        off = sum(self.is_off(glyph, place) for glyph in data['glyphs']
+                  for place in (glyph['between'] if glyph['flags'] else glyph['between'][::4]))
+        self.assertEqual(sum(attributes.get('class') == 'off' for tag, attributes in page.tags if tag == 'svg'), off)
         for tag, attributes in page.tags:
             if tag == 'path':
                 self.assertRegex(attributes['d'], r'^(M-?\d+[ -]\d+([lq][-\d ]+)+z)+$')
@@ -194,16 +204,24 @@ class Page(cli.Test):
             for flag in glyph['flags']:
                 self.assertIn(f"{flag['flag']}: {flag['reason']}", page.text)
 
+    @staticmethod
+    def is_off(glyph, place):
+        for name in ('components', 'holes'):
+            least, most = sorted(end[name] for end in (glyph['a'], glyph['b']))
+            if not least <= place[name] <= most:
+                return True
+        return max(place['strays'] / 12, (place['clots'] - 1) / 0.15, place['ink_excess'] / 0.12) >= 1
+
     def test_nothing_is_flagged(self):
         page = self.page('--text', 'HIo', fonts=(cli.SERIF, cli.SERIF))
         self.assertIn('None.', page.text)
-        self.assertEqual(page.count('svg'), 0)
+        self.assertEqual(page.count('svg'), 5 * 3)
 
     def test_a_failed_glyph_has_no_strip(self):
         font = cli.cut_font(self.path('cut.ttf'), 'AB', blank='B')
         page = self.page('--text', 'AB', fonts=(font, cli.cut_font(self.path('other.ttf'), 'AB')))
         self.assertIn('failed: one font draws the character', page.text)
-        self.assertEqual(page.count('svg'), 0)
+        self.assertEqual(page.count('svg'), 5)
 
     def test_names_and_characters_are_escaped(self):
         font = cli.cut_font(self.path('<b>&"x\'.ttf'), '<&>"A')
@@ -214,11 +232,11 @@ class Page(cli.Test):
             self.assertIn(f'{character}U+{ord(character):04X}', page.text)
 
     def test_only_the_worst_have_strips(self):
-        chars = self.write('chars', 'U+4E00-4F3F')
-        self.made('report', cli.ZENHEI, cli.UKAI, '-q', '--chars', chars, '--method', 'paper', '-o', 'x.html')
+        chars = self.write('chars', 'U+0021-0600')
+        self.made('report', cli.SERIF, cli.SERIF, '-q', '--chars', chars, '--method', 'paper', '-o', 'x.html')
         page = Reader(self.path('x.html').read_text(encoding='utf-8'))
-        self.assertEqual(page.count('svg'), 9 * 200)
-        self.assertRegex(page.text, r'Only the worst 200 of the \d+ have strips')
+        self.assertEqual(page.count('svg'), 5 * 1000)
+        self.assertRegex(page.text, r'Only the worst 1000 of the \d+ glyphs have strips')
 
 
 class Usage(cli.Test):

@@ -201,7 +201,7 @@ class Topology(unittest.TestCase):
 
 
 class Letters(unittest.TestCase):
-    """None of the letters and figures that quality.md shows is out of range, nor has any more kinks or points than are let pass."""
+    """None of the letters and figures that quality.md shows would be stumbled over."""
 
     def hold(self, a, b):
         with tempfile.TemporaryDirectory(prefix='morphotype-test-') as directory:

@@ -18,10 +18,9 @@
 #include "morph/check/projection.h"
 #include "morph/check/topology.h"
 
-/* What an eye stumbles over: found on glyphs that were judged by eye first. */
-#define STRAYS_MOST 12.0 /* 1/1000 em */
-#define CLOTS_MOST 0.15  /* by how much the disc is larger */
-#define INK_MOST 0.12    /* four times what is not seen (MT_INK_EXCESS) */
+/* What a part too many or too few at one place counts beside the score, and how many count. */
+#define PART_LOSS 0.03
+#define PARTS_MOST 40
 
 #define FADED_STEP 0.1 /* shares of the fading that are tried, from 0 … */
 enum { FADED_STEPS = 7 };
@@ -95,31 +94,37 @@ static double strays(const mt_onlooker *o, const mt_projection *at, double t) {
     return sqrt(least) * 1000 / MT_EM;
 }
 
-/* Looks at one place, and takes what is worse there. */
-static mt_status look_at_place(const mt_onlooker *o, const mt_morph *morph, double t, const mt_params *params,
-                               mt_arena *arena, mt_appearance *seen) {
-    mt_morph still = *morph;
-    mt_rings rings, ink;
-    mt_shape shape;
+mt_status mt_look_at_ink(const mt_onlooker *o, const mt_shape *ink, double t, mt_arena *arena,
+                         mt_appearance *seen) {
+    mt_rings rings;
     mt_projection at;
     mt_projection_frame frame = o->frames[0];
     frame.middle = (1 - t) * o->frames[0].middle + t * o->frames[1].middle;
-    still.degrees = 0; /* formula (5) turns all of it: a stroke on an arc does not stray */
-    mt_status status = mt_morph_rings(&still, mt_weights_at(t), params, arena, &rings);
-    if (status == MT_OK) status = mt_union_unmarked(&rings, MT_NONZERO, arena, &shape);
-    if (status == MT_OK) status = mt_shape_rings(&shape, arena, &ink);
+    mt_status status = mt_shape_rings(ink, arena, &rings);
     if (status != MT_OK) return status;
-    mt_project(&ink, &frame, &at);
+    mt_project(&rings, &frame, &at);
     seen->strays = fmax(seen->strays, strays(o, &at, t));
     seen->ink = fmax(seen->ink, mt_area_excess(at.area, o->ends[0].area, o->ends[1].area));
-    if (o->disc > 0) seen->clots = fmax(seen->clots, mt_largest_disc(&ink, o->disc) / o->disc);
+    if (o->disc > 0) seen->clots = fmax(seen->clots, mt_largest_disc(&rings, o->disc) / o->disc);
     return MT_OK;
+}
+
+static mt_status look_at_place(const mt_onlooker *o, const mt_morph *morph, double t, const mt_params *params,
+                               mt_arena *arena, mt_appearance *seen) {
+    mt_morph still = *morph;
+    mt_rings rings;
+    mt_shape ink;
+    still.degrees = 0; /* formula (5) turns all of it: a stroke on an arc does not stray */
+    mt_status status = mt_morph_rings(&still, mt_weights_at(t), params, arena, &rings);
+    if (status == MT_OK) status = mt_union_unmarked(&rings, MT_NONZERO, arena, &ink);
+    if (status == MT_OK) status = mt_look_at_ink(o, &ink, t, arena, seen);
+    return status;
 }
 
 mt_status mt_look_at_morph(const mt_onlooker *o, const mt_morph *morph, const mt_params *params,
                            mt_arena *arena, mt_appearance *seen) {
     static const double places[] = {0.25, 0.5, 0.75};
-    *seen = (mt_appearance){0, 1, 0};
+    *seen = MT_NOTHING_SEEN;
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         mt_arena_place before = mt_arena_mark(arena);
         mt_status status = look_at_place(o, morph, places[i], params, arena, seen);
@@ -130,6 +135,10 @@ mt_status mt_look_at_morph(const mt_onlooker *o, const mt_morph *morph, const mt
 }
 
 double mt_appearance_score(const mt_appearance *seen) {
-    double clots = (seen->clots - 1) / CLOTS_MOST;
-    return fmax(seen->strays / STRAYS_MOST, fmax(clots, seen->ink / INK_MOST));
+    double clots = (seen->clots - 1) / MT_CLOTS_MOST;
+    return fmax(seen->strays / MT_STRAYS_MOST, fmax(clots, seen->ink / MT_INK_MOST));
+}
+
+double mt_appearance_loss(double score, int parts) {
+    return score + PART_LOSS * fmin(parts, PARTS_MOST);
 }
