@@ -59,6 +59,8 @@ typedef enum mt_status {
     MT_BAD_FEATURE, /* a feature setting is malformed */
     MT_BLANK,       /* there is no ink to work with */
     MT_BAD_DRAWING, /* a file is no SVG drawing, or a damaged one */
+    MT_BAD_MESH,    /* a file is no mesh, or a damaged one */
+    MT_NOT_SOLID,   /* a mesh is not closed or not oriented, crosses itself, or is empty */
 } mt_status;
 
 /* One line of English, without a full stop; static storage. */
@@ -307,6 +309,31 @@ MT_API void mt_moving_free(mt_moving *moving); /* NULL is fine */
  * calls come in the same order, and without rotation each point moves on a straight line, or on two that meet at 0.5. MT_BAD_PARAMETER,
  * MT_NO_MEMORY. */
 MT_API mt_status mt_moving_draw(const mt_moving *moving, double t, const mt_draw *draw, void *user);
+
+/* ---- solids -------------------------------------------------------------------------------------------- */
+
+/* A place or a direction in space. */
+typedef struct mt_vector3 {
+    double x, y, z;
+} mt_vector3;
+
+typedef struct mt_triangle {
+    int at[3]; /* points of the mesh, anticlockwise as seen from outside */
+} mt_triangle;
+
+/* Triangles in space, in the units of the file that they come from. */
+typedef struct mt_mesh {
+    int n_points, n_triangles;
+    mt_vector3 *points;
+    mt_triangle *triangles;
+} mt_mesh;
+
+typedef struct mt_solid_params {
+    mt_method method; /* MT_METHOD_PAPER: exact convex pieces, Definition 1 */
+    double depth;     /* how far a piece's hull may leave the piece, as a share of the solid's diagonal */
+    mt_vector3 axis;  /* formula (5): B is turned about it */
+    double degrees;   /* by this angle; 0 for none */
+} mt_solid_params;
 
 /* ---- hints --------------------------------------------------------------------------------------------- */
 

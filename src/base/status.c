@@ -26,6 +26,8 @@ const char *mt_status_text(mt_status status) {
     case MT_ENDLESS_LOOKUPS:
         return "its lookups call each other in a circle, or make a text longer without end";
     case MT_BLANK: return "there is no ink";
+    case MT_BAD_MESH: return "not a mesh, or a damaged one";
+    case MT_NOT_SOLID: return "the mesh is not the surface of a solid";
     case MT_BAD_DRAWING: return "not an SVG drawing, or a damaged one";
     }
     return "unknown status";

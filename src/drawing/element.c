@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/real.h"
 #include "drawing/path_text.h"
 #include "drawing/scan.h"
 
@@ -76,9 +77,9 @@ static void draw_polygon(const xmlNode *element, double across, double down, mt_
     mt_scan_blanks(&at);
     for (bool first = true; pen->status == MT_OK; first = false) {
         double x, y;
-        if (!mt_scan_number(&at, &x)) break;
+        if (!mt_real_next(&at, &x)) break;
         mt_scan_comma(&at);
-        if (!mt_scan_number(&at, &y)) break;
+        if (!mt_real_next(&at, &y)) break;
         mt_scan_comma(&at);
         if (first)
             mt_pen_move(pen, x, y);

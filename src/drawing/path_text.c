@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/real.h"
 #include "drawing/scan.h"
 
 /* A command's arguments: f is a flag, which may stand without a blank. */
@@ -28,7 +29,7 @@ static bool read_flag(const char **at, double *flag) {
 
 static bool read_arguments(const char **at, const char *kinds, double *values) {
     for (; *kinds; kinds++, values++) {
-        if (!(*kinds == 'f' ? read_flag(at, values) : mt_scan_number(at, values))) return false;
+        if (!(*kinds == 'f' ? read_flag(at, values) : mt_real_next(at, values))) return false;
         mt_scan_comma(at);
     }
     return true;

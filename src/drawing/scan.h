@@ -8,9 +8,6 @@
 void mt_scan_blanks(const char **at);
 void mt_scan_comma(const char **at);
 
-/* Reads a number, 5, -.5 or 1e3, and moves past it; false, without moving, where there is none or it is not finite. */
-bool mt_scan_number(const char **at, double *number);
-
 /* Reads a list of numbers up to its end, `most` at the most; how many, or -1 for what is none. */
 int mt_scan_numbers(const char *text, double *numbers, int most);
 

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/real.h"
 #include "drawing/scan.h"
 
 mt_style mt_style_initial(void) {
@@ -39,7 +40,7 @@ static bool read_function(const char *text, mt_colour *colour, bool *clear) {
     if (*text == 'a' || *text == 'A') text++;
     if (*text++ != '(') return false;
     for (mt_scan_blanks(&text); *text != ')'; mt_scan_comma(&text)) {
-        if (count == 4 || !mt_scan_number(&text, &values[count])) return false;
+        if (count == 4 || !mt_real_next(&text, &values[count])) return false;
         if (*text == '%') {
             values[count] *= count == 3 ? 0.01 : 2.55;
             text++;
@@ -87,7 +88,7 @@ static void set_paint(const char *value, mt_paint *paint, mt_colour *colour) {
 static void set_opacity(mt_style *style, const char *value) {
     double opacity;
     const char *at = value;
-    if (!mt_scan_number(&at, &opacity)) return;
+    if (!mt_real_next(&at, &opacity)) return;
     if (opacity <= 0)
         style->shown = false;
     else if (opacity < (*at == '%' ? 100 : 1))
@@ -97,7 +98,7 @@ static void set_opacity(mt_style *style, const char *value) {
 static void set_fill_opacity(mt_style *style, const char *value) {
     double opacity;
     const char *at = value;
-    if (mt_scan_number(&at, &opacity)) style->fill_opacity = *at == '%' ? opacity / 100 : opacity;
+    if (mt_real_next(&at, &opacity)) style->fill_opacity = *at == '%' ? opacity / 100 : opacity;
 }
 
 static void set_color(mt_style *style, const char *value) {

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/real.h"
 #include "drawing/scan.h"
 
 #define DEGREES (3.14159265358979323846 / 180)
@@ -53,7 +54,7 @@ bool mt_transform_read(const char *text, mt_affine *map) {
         mt_scan_blanks(&text);
         if (*text++ != '(') return false;
         for (mt_scan_blanks(&text); *text != ')'; mt_scan_comma(&text))
-            if (count == 6 || !mt_scan_number(&text, &values[count++])) return false;
+            if (count == 6 || !mt_real_next(&text, &values[count++])) return false;
         text++;
         if (!make(name, length, values, count, &one)) return false;
         made = mt_affine_after(&made, &one);

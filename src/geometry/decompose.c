@@ -18,7 +18,7 @@
 #include "geometry/triangulate.h"
 
 typedef struct mt_faces {
-    const mt_mesh *mesh;
+    const mt_half_edges *mesh;
     int *next, *prev; /* of each half-edge around its piece */
     bool *dropped;
 } mt_faces;
@@ -72,7 +72,7 @@ static mt_status merge(mt_faces *faces, mt_arena *arena) {
     return MT_OK;
 }
 
-static mt_status start_faces(const mt_mesh *mesh, mt_arena *arena, mt_faces *faces) {
+static mt_status start_faces(const mt_half_edges *mesh, mt_arena *arena, mt_faces *faces) {
     size_t edges = 3 * (size_t)mesh->triangle_count;
     *faces = (mt_faces){mesh, mt_arena_new(arena, edges, sizeof(int)),
                         mt_arena_new(arena, edges, sizeof(int)), mt_arena_new(arena, edges, sizeof(bool))};
@@ -123,7 +123,7 @@ static bool keeps_promise(const mt_component *component, const mt_pieces *pieces
 }
 
 mt_status mt_decompose(const mt_component *component, mt_arena *arena, mt_pieces *pieces) {
-    mt_mesh mesh;
+    mt_half_edges mesh;
     mt_faces faces;
     mt_pieces made;
     mt_status status = mt_triangulate(component, arena, &mesh);

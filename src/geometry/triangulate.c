@@ -412,7 +412,7 @@ static mt_status count_windings(mt_triangulation *w, int *winding) {
     return MT_OK;
 }
 
-static mt_status keep_ink(mt_triangulation *w, mt_mesh *mesh) {
+static mt_status keep_ink(mt_triangulation *w, mt_half_edges *mesh) {
     int triangles = w->edge_count / 3;
     int *winding = mt_arena_new(w->arena, (size_t)triangles, sizeof *winding);
     int *place = mt_arena_new(w->arena, (size_t)triangles, sizeof *place);
@@ -440,7 +440,7 @@ static mt_status keep_ink(mt_triangulation *w, mt_mesh *mesh) {
 
 /* ---- all of it ----------------------------------------------------------------------------------------- */
 
-static mt_status gather(const mt_component *component, mt_triangulation *w, mt_mesh *mesh) {
+static mt_status gather(const mt_component *component, mt_triangulation *w, mt_half_edges *mesh) {
     int64_t total = 0;
     for (int i = 0; i < component->count; i++) total += component->rings[i].count;
     if (total > MT_POINTS_MAX) return MT_TOO_LARGE;
@@ -471,20 +471,20 @@ static mt_status gather(const mt_component *component, mt_triangulation *w, mt_m
     return MT_OK;
 }
 
-mt_status mt_triangulate(const mt_component *component, mt_arena *arena, mt_mesh *mesh) {
+mt_status mt_triangulate(const mt_component *component, mt_arena *arena, mt_half_edges *mesh) {
     mt_triangulation w = {.arena = arena};
-    mt_mesh made = {0};
+    mt_half_edges made = {0};
     mt_status status = gather(component, &w, &made);
     if (status == MT_OK) status = insert_vertices(&w);
     for (int i = 0, first = 0; status == MT_OK && i < component->count; first += component->rings[i++].count)
         status = force_ring(&w, first, component->rings[i].count);
     if (status == MT_OK) status = keep_ink(&w, &made);
-    assert(status != MT_OK || mt_mesh_is_valid(&made));
+    assert(status != MT_OK || mt_half_edges_is_valid(&made));
     if (status == MT_OK) *mesh = made;
     return status;
 }
 
-bool mt_mesh_is_valid(const mt_mesh *mesh) {
+bool mt_half_edges_is_valid(const mt_half_edges *mesh) {
     bool valid = mesh->triangle_count >= 0;
     for (int e = 0; valid && e < 3 * mesh->triangle_count; e++)
         valid = mesh->start[e] >= 0 && mesh->start[e] < mesh->vertex_count;

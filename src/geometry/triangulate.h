@@ -8,14 +8,14 @@
  * boundary. marks[e] are those of the ring point whose edge runs along e; a diagonal has the corner of the
  * vertex that it starts at, and is a line. Triangles are anticlockwise. A vertex is an index over all rings'
  * points, ring after ring. */
-typedef struct mt_mesh {
+typedef struct mt_half_edges {
     int triangle_count;
     int *start; /* 3 × triangle_count vertices */
     int *twin;  /* 3 × triangle_count half-edges */
     uint8_t *marks;
     int vertex_count;
     mt_point *points; /* the component's points, ring after ring; they belong to the arena */
-} mt_mesh;
+} mt_half_edges;
 
 /* The half-edge after `e` around its triangle. */
 static inline int mt_mesh_after(int e) {
@@ -24,7 +24,7 @@ static inline int mt_mesh_after(int e) {
 
 /* Triangulates. The rings may touch at points and along edges, but not cross. MT_NO_MEMORY, MT_TOO_LARGE,
  * MT_BAD_GEOMETRY when rings cross. */
-mt_status mt_triangulate(const mt_component *component, mt_arena *arena, mt_mesh *mesh);
+mt_status mt_triangulate(const mt_component *component, mt_arena *arena, mt_half_edges *mesh);
 
 /* Whether triangles are anticlockwise with area, twins are mutual, and both run between the same vertices. Linear. */
-bool mt_mesh_is_valid(const mt_mesh *mesh);
+bool mt_half_edges_is_valid(const mt_half_edges *mesh);

@@ -22,13 +22,6 @@ typedef struct mt_solid_link {
     mt_triangle *triangles;
 } mt_solid_link;
 
-typedef struct mt_solid_params {
-    mt_method method; /* MT_METHOD_PAPER: exact convex pieces, Definition 1 */
-    double depth;     /* how far a piece's hull may leave the piece, as a share of the solid's diagonal */
-    mt_vector3 axis;  /* formula (5): B is turned about it */
-    double degrees;   /* by this angle; 0 for none */
-} mt_solid_params;
-
 typedef struct mt_solid_morph {
     mt_solid_side a, b;
     int n_links;

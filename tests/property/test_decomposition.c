@@ -18,7 +18,7 @@ static int tear_down(void **state) {
 
 static void check(const char *name, int number, const mt_component *component) {
     mt_subject subject = {name, number, {component}};
-    mt_mesh mesh;
+    mt_half_edges mesh;
     mt_pieces pieces;
     mt_require(mt_triangulate(component, &arena, &mesh) == MT_OK, &subject);
     mt_check_mesh(component, &mesh, &subject);

@@ -76,7 +76,7 @@ static void check_side(const mt_side *side, mt_subject *subject) {
     for (int k = 0; k < side->shape.count; k++) {
         mt_component *component = &side->shape.components[k];
         mt_pieces pieces = {side->first[k + 1] - side->first[k], side->pieces.rings + side->first[k]};
-        mt_mesh mesh;
+        mt_half_edges mesh;
         subject->shapes[0] = component;
         mt_check_pieces(component, &pieces, subject);
         mt_require(mt_triangulate(component, &arena, &mesh) == MT_OK, subject);

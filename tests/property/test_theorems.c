@@ -217,7 +217,7 @@ static void a_convex_b_gives_the_sum(void **state) {
 /* ---- Inference 2 --------------------------------------------------------------------------------------- */
 
 static mt_pieces triangles_of(const mt_component *component) {
-    mt_mesh mesh;
+    mt_half_edges mesh;
     mt_assert_ok(mt_triangulate(component, &arena, &mesh));
     mt_pieces triangles = mt_test_rings(&arena, mesh.triangle_count);
     for (int i = 0; i < triangles.count; i++) {

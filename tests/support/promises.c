@@ -71,11 +71,11 @@ static int next(int e) {
     return e % 3 == 2 ? e - 2 : e + 1;
 }
 
-static mt_point at(const mt_mesh *mesh, int e) {
+static mt_point at(const mt_half_edges *mesh, int e) {
     return mesh->points[mesh->start[e]];
 }
 
-static void check_half_edges(const mt_mesh *mesh, const mt_subject *subject) {
+static void check_half_edges(const mt_half_edges *mesh, const mt_subject *subject) {
     for (int e = 0; e < 3 * mesh->triangle_count; e++) {
         int f = mesh->twin[e];
         mt_require(mesh->start[e] >= 0 && mesh->start[e] < mesh->vertex_count, subject);
@@ -89,7 +89,7 @@ static void check_half_edges(const mt_mesh *mesh, const mt_subject *subject) {
     }
 }
 
-static mt_rings triangles_of(const mt_mesh *mesh) {
+static mt_rings triangles_of(const mt_half_edges *mesh) {
     mt_rings rings = {mesh->triangle_count, mt_test_new((size_t)mesh->triangle_count, sizeof(mt_ring))};
     mt_point *points = mt_test_new(3 * (size_t)mesh->triangle_count, sizeof *points);
     for (int e = 0; e < 3 * mesh->triangle_count; e++) points[e] = at(mesh, e);
@@ -97,7 +97,8 @@ static mt_rings triangles_of(const mt_mesh *mesh) {
     return rings;
 }
 
-static void check_triangles(const mt_component *component, const mt_mesh *mesh, const mt_subject *subject) {
+static void check_triangles(const mt_component *component, const mt_half_edges *mesh,
+                            const mt_subject *subject) {
     mt_rings triangles = triangles_of(mesh);
     for (int i = 0; i < triangles.count; i++) mt_require(mt_oracle_is_convex(&triangles.rings[i]), subject);
     mt_require(mt_oracle_area2(&triangles) == mt_oracle_area2(component), subject);
@@ -106,7 +107,8 @@ static void check_triangles(const mt_component *component, const mt_mesh *mesh, 
     free(triangles.rings);
 }
 
-static void check_boundary(const mt_component *component, const mt_mesh *mesh, const mt_subject *subject) {
+static void check_boundary(const mt_component *component, const mt_half_edges *mesh,
+                           const mt_subject *subject) {
     int boundary = 0, edges = edge_count(component);
     for (int e = 0; e < 3 * mesh->triangle_count; e++) {
         if (mesh->twin[e] >= 0) continue;
@@ -131,7 +133,8 @@ static bool in_window(const mt_component *component, mt_spot from, mt_spot to, i
 }
 
 /* The empty circle: in thirds of grid units, barycentres are exact. */
-static void check_window(const mt_component *component, const mt_mesh *mesh, const mt_subject *subject) {
+static void check_window(const mt_component *component, const mt_half_edges *mesh,
+                         const mt_subject *subject) {
     for (int t = 0; t < mesh->triangle_count; t++) {
         mt_point a = at(mesh, 3 * t), b = at(mesh, 3 * t + 1), c = at(mesh, 3 * t + 2);
         mt_spot middle = {(int64_t)a.x + b.x + c.x, (int64_t)a.y + b.y + c.y};
@@ -142,7 +145,7 @@ static void check_window(const mt_component *component, const mt_mesh *mesh, con
     }
 }
 
-void mt_check_mesh(const mt_component *component, const mt_mesh *mesh, const mt_subject *subject) {
+void mt_check_mesh(const mt_component *component, const mt_half_edges *mesh, const mt_subject *subject) {
     mt_require(mesh->vertex_count == point_count(component), subject);
     check_half_edges(mesh, subject);
     check_triangles(component, mesh, subject);

@@ -8,7 +8,7 @@
  * locally Delaunay, and the triangles together the component. For clean components also: as many triangles
  * as Euler's formula says, the edges without twins are the rings' edges; and with at most 60 points: no
  * vertex inside a triangle's circumcircle is in sight of its barycentre. */
-void mt_check_mesh(const mt_component *component, const mt_mesh *mesh, const mt_subject *subject);
+void mt_check_mesh(const mt_component *component, const mt_half_edges *mesh, const mt_subject *subject);
 
 /* Pieces convex, over the component's vertices, areas adding up, together the component. For clean
  * components also: every vertex used, no two pieces that could be merged, and with r reflex vertices and h

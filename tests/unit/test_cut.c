@@ -15,7 +15,7 @@ static int tear_down(void **state) {
 
 typedef struct sheet {
     mt_component component;
-    mt_mesh mesh;
+    mt_half_edges mesh;
     bool *drawn, *cut;
     int *part_of;
 } sheet;
@@ -38,7 +38,7 @@ static mt_shape parts_of(sheet *s) {
     return parts;
 }
 
-static int end_of(const mt_mesh *mesh, int e) {
+static int end_of(const mt_half_edges *mesh, int e) {
     return mesh->start[e % 3 == 2 ? e - 2 : e + 1];
 }
 
@@ -182,12 +182,12 @@ static void undrawn_vertices_are_dropped(void **state) {
 
 /* ---- at random ----------------------------------------------------------------------------------------- */
 
-static int64_t triangle_area2(const mt_mesh *mesh, int t) {
+static int64_t triangle_area2(const mt_half_edges *mesh, int t) {
     const int *v = &mesh->start[3 * (size_t)t];
     return mt_orient(mesh->points[v[0]], mesh->points[v[1]], mesh->points[v[2]]);
 }
 
-static mt_spot thirds(const mt_mesh *mesh, int t) {
+static mt_spot thirds(const mt_half_edges *mesh, int t) {
     mt_spot sum = {0, 0};
     for (int k = 0; k < 3; k++) {
         mt_point p = mesh->points[mesh->start[3 * (size_t)t + (size_t)k]];

@@ -19,8 +19,8 @@ static int tear_down(void **state) {
     return 0;
 }
 
-static mt_mesh mesh_of(const char *name) {
-    mt_mesh mesh = {0};
+static mt_half_edges mesh_of(const char *name) {
+    mt_half_edges mesh = {0};
     mt_assert_ok(mt_triangulate(mt_corpus_find(&corpus, name), &arena, &mesh));
     return mesh;
 }
@@ -43,7 +43,7 @@ static void the_better_diagonal(void **state) {
     mt_point corners[] = {{0, 0}, {100, -10}, {200, 0}, {100, 10}};
     for (int i = 0; i < 4; i++) kite.points[i] = corners[i];
     mt_component component = {1, &kite};
-    mt_mesh mesh;
+    mt_half_edges mesh;
     mt_assert_ok(mt_triangulate(&component, &arena, &mesh));
     for (int e = 0; e < 6; e++)
         if (mesh.twin[e] >= 0) assert_int_equal(mesh.points[mesh.start[e]].x, 100);
@@ -55,7 +55,7 @@ static void corpus_promises(void **state) {
         const mt_named *shape = &corpus.shapes[i];
         if (!shape->is_component) continue;
         mt_subject subject = {shape->name, -1, {&shape->rings}};
-        mt_mesh mesh;
+        mt_half_edges mesh;
         mt_require(mt_triangulate(&shape->rings, &arena, &mesh) == MT_OK, &subject);
         mt_check_mesh(&shape->rings, &mesh, &subject);
     }
@@ -67,7 +67,7 @@ static void marks_of_edges(void **state) {
     (void)state;
     mt_component component = mt_test_moved(&arena, mt_corpus_find(&corpus, "plus"), 1, (mt_point){0, 0});
     for (int i = 0; i < 12; i++) component.rings[0].marks[i] = i % 2 ? MT_CHORD : MT_CORNER | MT_LINE;
-    mt_mesh mesh;
+    mt_half_edges mesh;
     mt_assert_ok(mt_triangulate(&component, &arena, &mesh));
     for (int e = 0; e < 3 * mesh.triangle_count; e++) {
         uint8_t own = component.rings[0].marks[mesh.start[e]];
@@ -77,7 +77,7 @@ static void marks_of_edges(void **state) {
 
 static void crossing_rings_are_refused(void **state) {
     (void)state;
-    mt_mesh mesh;
+    mt_half_edges mesh;
     static const char *const names[] = {"bow_tie", "crossed_bars", "pentagram", "almost_parallel_bars"};
     for (int i = 0; i < 4; i++)
         assert_int_equal(mt_triangulate(mt_corpus_find(&corpus, names[i]), &arena, &mesh), MT_BAD_GEOMETRY);
@@ -86,7 +86,7 @@ static void crossing_rings_are_refused(void **state) {
 static void nothing_gives_nothing(void **state) {
     (void)state;
     mt_component none = {0};
-    mt_mesh mesh;
+    mt_half_edges mesh;
     mt_assert_ok(mt_triangulate(&none, &arena, &mesh));
     assert_int_equal(mesh.triangle_count, 0);
     assert_int_equal(mesh_of("no_area").triangle_count, 0);
@@ -102,7 +102,7 @@ static void limits(void **state) {
     for (int i = 0; i < 4; i++) square.points[i] = corners[i];
     mt_component component = {1, &square};
     mt_subject subject = {"the_largest_square", -1, {&component}};
-    mt_mesh mesh;
+    mt_half_edges mesh;
     mt_assert_ok(mt_triangulate(&component, &arena, &mesh));
     mt_check_mesh(&component, &mesh, &subject);
     square.points[2].x = m + 1;

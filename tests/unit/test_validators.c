@@ -57,13 +57,13 @@ static void rings_and_shapes(void **state) {
 static void meshes_and_traces(void **state) {
     (void)state;
     mt_component component = house();
-    mt_mesh mesh;
+    mt_half_edges mesh;
     mt_trace trace;
     mt_assert_ok(mt_triangulate(&component, &arena, &mesh));
-    refuses(mt_mesh_is_valid(&mesh), mesh.start[0], mesh.vertex_count);
-    refuses(mt_mesh_is_valid(&mesh), mesh.start[0], mesh.start[1]);
+    refuses(mt_half_edges_is_valid(&mesh), mesh.start[0], mesh.vertex_count);
+    refuses(mt_half_edges_is_valid(&mesh), mesh.start[0], mesh.start[1]);
     for (int e = 0; e < 3 * mesh.triangle_count; e++)
-        if (mesh.twin[e] >= 0) refuses(mt_mesh_is_valid(&mesh), mesh.twin[e], e);
+        if (mesh.twin[e] >= 0) refuses(mt_half_edges_is_valid(&mesh), mesh.twin[e], e);
     mt_assert_ok(mt_trace_ring(&component.rings[0], 50, &arena, &trace));
     refuses(mt_trace_is_valid(&trace), trace.length[0], -1);
     refuses(mt_trace_is_valid(&trace), trace.turn[1], 4);

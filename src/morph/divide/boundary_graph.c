@@ -102,11 +102,11 @@ static mt_status add_component(const mt_component *component, int c, double flat
 #define CHORD_COST 1.0   /* of each chord: as much as a place with opposite headings … */
 #define CHORD_EM_COST 10 /* … and of each em of its length */
 
-static int edge_end(const mt_mesh *mesh, int e) {
+static int edge_end(const mt_half_edges *mesh, int e) {
     return mesh->start[mt_mesh_after(e)];
 }
 
-static double diagonal_length(const mt_mesh *mesh, int e) {
+static double diagonal_length(const mt_half_edges *mesh, int e) {
     return sqrt((double)mt_distance2(mesh->points[mesh->start[e]], mesh->points[edge_end(mesh, e)]));
 }
 
@@ -126,7 +126,7 @@ static bool is_ear(const mt_boundary *b, int from, int to, double length) {
 
 /* Counts the chords of component c, or writes them when there is room for them. */
 static void list_chords(mt_boundary *boundary, int c, double reach, int *next) {
-    const mt_mesh *mesh = &boundary->meshes[c];
+    const mt_half_edges *mesh = &boundary->meshes[c];
     for (int e = 0; e < 3 * mesh->triangle_count; e++) {
         double length = diagonal_length(mesh, e);
         if (mesh->twin[e] < 0 || length > reach) continue;

@@ -19,10 +19,10 @@ typedef struct mt_chord {
 typedef struct mt_boundary {
     mt_frame frame; /* of the glyph */
     int component_count;
-    mt_mesh *meshes;   /* of each component, its long edges divided */
-    bool **drawn;      /* of each component's mesh: which vertices its rings had before */
-    mt_box *boxes;     /* of each component */
-    int *first_sample; /* component_count + 1: vertex v of mesh c is sample first_sample[c] + v */
+    mt_half_edges *meshes; /* of each component, its long edges divided */
+    bool **drawn;          /* of each component's mesh: which vertices its rings had before */
+    mt_box *boxes;         /* of each component */
+    int *first_sample;     /* component_count + 1: vertex v of mesh c is sample first_sample[c] + v */
     int ring_count;
     int *first_of_ring; /* ring_count + 1 */
     int count;          /* of samples */

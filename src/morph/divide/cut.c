@@ -26,7 +26,7 @@ static bool is_border(const mt_cutting *k, int e) {
 }
 
 static mt_status flood(mt_cutting *k, int *count) {
-    const mt_mesh *mesh = k->plan->mesh;
+    const mt_half_edges *mesh = k->plan->mesh;
     int *stack = mt_arena_new(k->arena, (size_t)mesh->triangle_count, sizeof *stack);
     if (!stack) return MT_NO_MEMORY;
     for (int t = 0; t < mesh->triangle_count; t++) k->part_of[t] = -1;
@@ -58,7 +58,7 @@ static int next_on_border(const mt_cutting *k, int e) {
 
 /* The border from half-edge `first` on: all of its vertices, or those that were drawn or end a cut. */
 static mt_status trace_vertices(mt_cutting *k, int first, bool all, mt_ring *ring) {
-    const mt_mesh *mesh = k->plan->mesh;
+    const mt_half_edges *mesh = k->plan->mesh;
     int count = 0, e = first;
     do {
         k->traced[e] = true;
@@ -94,7 +94,7 @@ static mt_status trace_border(mt_cutting *k, int first, mt_ring *ring) {
 
 /* All rings of one part; the outer one, which alone runs anticlockwise, comes first. */
 static mt_status take_part(mt_cutting *k, int number, mt_component *part) {
-    const mt_mesh *mesh = k->plan->mesh;
+    const mt_half_edges *mesh = k->plan->mesh;
     int edges = 3 * mesh->triangle_count;
     *part = (mt_component){0, mt_arena_new(k->arena, (size_t)mesh->vertex_count, sizeof(mt_ring))};
     if (!part->rings) return MT_NO_MEMORY;
@@ -112,7 +112,7 @@ static mt_status take_part(mt_cutting *k, int number, mt_component *part) {
 }
 
 mt_status mt_cut(const mt_cut_plan *plan, mt_arena *arena, mt_shape *parts, int *part_of) {
-    const mt_mesh *mesh = plan->mesh;
+    const mt_half_edges *mesh = plan->mesh;
     size_t edges = 3 * (size_t)mesh->triangle_count;
     mt_cutting k = {.plan = plan, .arena = arena, .part_of = part_of};
     k.end = mt_arena_new(arena, (size_t)mesh->vertex_count, sizeof *k.end);

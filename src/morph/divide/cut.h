@@ -5,7 +5,7 @@
 
 /* A triangulated component, the vertices that its rings had, and the diagonals to cut along. */
 typedef struct mt_cut_plan {
-    const mt_mesh *mesh;
+    const mt_half_edges *mesh;
     const bool *drawn; /* of each vertex */
     const bool *cut;   /* of each half-edge; both of a diagonal agree */
 } mt_cut_plan;

@@ -221,7 +221,7 @@ static mt_status cut_all(mt_division *division, mt_arena *arena) {
     mt_shape made = {0, mt_arena_new(arena, (size_t)division->boundary.count, sizeof(mt_component))};
     if (!made.components) return MT_NO_MEMORY;
     for (int c = 0; c < division->boundary.component_count; c++) {
-        const mt_mesh *mesh = &division->boundary.meshes[c];
+        const mt_half_edges *mesh = &division->boundary.meshes[c];
         mt_cut_plan plan = {mesh, division->boundary.drawn[c], division->cut[c]};
         mt_shape parts;
         mt_status status = mt_cut(&plan, arena, &parts, division->part_of[c]);
@@ -274,7 +274,7 @@ static void set_cut(const mt_unpaired_cut *f, bool cut) {
 static mt_status is_better_whole(const mt_unpaired_cut *f, const mt_settings *settings, mt_arena *arena,
                                  bool *better) {
     const mt_division *division = f->division;
-    const mt_mesh *mesh = &division->boundary.meshes[f->component];
+    const mt_half_edges *mesh = &division->boundary.meshes[f->component];
     mt_cut_plan plan = {mesh, division->boundary.drawn[f->component], division->cut[f->component]};
     const mt_ring *goal = &f->other->made.parts.components[division->made.partner[f->there]].rings[0];
     mt_shape parts;
@@ -307,7 +307,7 @@ static mt_status is_useless(const mt_unpaired_cut *f, const mt_settings *setting
 
 static bool unpaired_cut_at(mt_division *sides, int side, int component, int edge, mt_unpaired_cut *f) {
     mt_division *division = &sides[side];
-    const mt_mesh *mesh = &division->boundary.meshes[component];
+    const mt_half_edges *mesh = &division->boundary.meshes[component];
     if (!division->cut[component][edge]) return false;
     int here = division->part_of[component][edge / 3],
         there = division->part_of[component][mesh->twin[edge] / 3];

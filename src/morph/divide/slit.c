@@ -41,7 +41,7 @@ static mt_slit_candidates shortest(const mt_boundary *b, int hole, const mt_ring
 /* The component cut along one chord, and the ring that the cut is on. */
 static mt_status cut_along(const mt_boundary *b, int chord, mt_arena *arena, mt_component *opened,
                            const mt_ring **ring) {
-    const mt_mesh *mesh = &b->meshes[0];
+    const mt_half_edges *mesh = &b->meshes[0];
     bool *cut = mt_arena_new(arena, 3 * (size_t)mesh->triangle_count, sizeof *cut);
     int *part_of = mt_arena_new(arena, (size_t)mesh->triangle_count, sizeof *part_of);
     if (!cut || !part_of) return MT_NO_MEMORY;
