@@ -328,6 +328,11 @@ typedef struct mt_mesh {
     mt_triangle *triangles;
 } mt_mesh;
 
+/* What is wrong with a mesh, with its place. */
+typedef struct mt_mesh_fault {
+    char line[256]; /* one line of English, without a full stop; "": nothing more is known than the status */
+} mt_mesh_fault;
+
 typedef struct mt_solid_params {
     mt_method method; /* MT_METHOD_PAPER: exact convex pieces, Definition 1 */
     double depth;     /* how far a piece's hull may leave the piece, as a share of the solid's diagonal */
