@@ -146,17 +146,18 @@ static int run(cli_options *options) {
 const cli_command animate_command = {
     .name = "animate",
     .summary = "an animation from one drawing to the next",
-    .help =
-        "usage: morphotype animate KEY KEY [KEY...] -o OUT [OPTION...]\n"
-        "\n"
-        "Key frames follow one another. KEY is FONT=TEXT or an SVG drawing. TEXT is a character or a word; "
-        "/name is a glyph\n"
-        "by its name, and /a/b are two glyphs. OUT.svg moves by SMIL, or with --css by CSS; OUT.json is "
-        "Lottie; "
-        "OUT.apng,\n"
-        ".gif and .webp are pictures that move, .mp4 and .webm videos by an installed ffmpeg, and OUT.png "
-        "numbered frames:\n"
-        "OUT-01.png and so on.\n",
+    .synopsis = "KEY KEY [KEY...] -o OUT [OPTION...]",
+    .text = "Key frames follow one another. KEY is FONT=TEXT or an SVG drawing. TEXT is a character or a "
+            "word; /name is a glyph by its name, and /a/b are two glyphs."
+            "\nOUT.svg moves by SMIL, or with --css by CSS; OUT.json is Lottie; OUT.apng, .gif and .webp "
+            "are pictures that move, .mp4 and .webm videos by an installed ffmpeg, and OUT.png numbered "
+            "frames: OUT-01.png and so on.",
+    .examples = {{"From a letter to another and back, as SVG:",
+                  "morphotype animate A.ttf=g B.otf=8 --yoyo -o g-8.svg"},
+                 {"From a word to a word, at rest for half a second at each:",
+                  "morphotype animate A.ttf=type B.otf=Morph --hold 0.5 --yoyo -o words.webp"}},
+    .reads = CLI_FONT_FILES " svg",
+    .writes = "svg json apng gif webp png mp4 webm",
     .takes = "onzSDUeOdNyCkbK",
     .fonts_min = 0,
     .fonts_max = MT_VARIABLE_FONTS_MAX,

@@ -121,20 +121,23 @@ static int run(cli_options *options) {
 const cli_command blend_command = {
     .name = "blend",
     .summary = "a font between two fonts",
-    .help = "usage: morphotype blend FONT FONT -o OUT.ttf|woff2|ufo [--at T[,T...]] [OPTION...]\n"
-            "\n"
-            "Makes the font at T (0.5 without --at) of every character that both fonts have, or of those "
-            "that --text\n"
-            "or --chars names. Several T make several fonts: OUT-0.25.ttf, OUT-0.5.ttf and so on. --text "
-            "wants all of\n"
-            "its characters in both fonts; of --chars those are left out that one font lacks. With --glyphs "
-            "first the\n"
-            "first font alone counts for all this, and what the second lacks stays as it is in the first. A "
-            "glyph that\n"
-            "cannot be blended is named on stderr, and the nearer font's own outline stands in for it. "
-            "OUT.ufo is "
-            "a\n"
-            "directory; one that is there already is replaced when it is a UFO.\n",
+    .synopsis = "FONT FONT -o OUT.ttf|woff2|ufo [--at T[,T...]] [OPTION...]",
+    .text = "Makes the font at T (0.5 without --at) of every character that both fonts have, or of those "
+            "that --text or --chars names. Several T make several fonts: OUT-0.25.ttf, OUT-0.5.ttf and "
+            "so on."
+            "\n--text wants all of its characters in both fonts; of --chars those are left out that one "
+            "font lacks. With --glyphs first the first font alone counts for all this, and what the "
+            "second lacks stays as it is in the first."
+            "\nA glyph that cannot be blended is named on stderr, and the nearer font's own outline "
+            "stands in for it. OUT.ufo is a directory; one that is there already is replaced when it is "
+            "a UFO.",
+    .examples = {{"A font half-way:", "morphotype blend A.ttf B.otf -o Between.ttf"},
+                 {"Three fonts, Between-0.25.ttf, Between-0.5.ttf and Between-0.75.ttf:",
+                  "morphotype blend A.ttf B.otf --at 0.25,0.5,0.75 -o Between.ttf"},
+                 {"A font of these letters, for the web:",
+                  "morphotype blend A.ttf B.otf --text Type --family Between -o Between.woff2"}},
+    .reads = CLI_FONT_FILES,
+    .writes = "ttf woff2 ufo",
     .takes = "oatcFYGELSP",
     .fonts_min = 2,
     .fonts_max = 2,

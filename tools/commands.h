@@ -11,3 +11,8 @@ extern const cli_command inspect_command;  /* inspect.c */
 extern const cli_command report_command;   /* report.c */
 extern const cli_command variable_command; /* variable.c */
 extern const cli_command specimen_command; /* specimen.c */
+
+/* All of them, in the order of the help; a NULL ends them. */
+extern const cli_command *const commands[];
+
+const cli_command *command_find(const char *name); /* NULL where there is none */

@@ -137,12 +137,15 @@ static int run(cli_options *options) {
 const cli_command inspect_command = {
     .name = "inspect",
     .summary = "components, convex pieces and links: how characters are matched",
-    .help =
-        "usage: morphotype inspect FONT [FONT] --text TEXT [-o OUT.svg|png|pdf] [--json] [OPTION...]\n"
-        "\n"
-        "Shows the components of each character or glyph by colour, its convex pieces, and the links\n"
-        "between the pieces of both fonts. With --json the same comes as data: on stdout, or in OUT when\n"
-        "that ends in .json.\n",
+    .synopsis = "FONT [FONT] --text TEXT [-o OUT.svg|png|pdf|json] [--json] [OPTION...]",
+    .text = "Shows the components of each character or glyph by colour, its convex pieces, and the links "
+            "between the pieces of both fonts. With --json the same comes as data: on stdout, or in OUT "
+            "when that ends in .json.",
+    .examples = {{"How a letter is cut and matched, as a picture:",
+                  "morphotype inspect A.ttf B.otf --text B -o inspect.svg"},
+                 {"The same as data:", "morphotype inspect A.ttf B.otf --text B --json"}},
+    .reads = CLI_FONT_FILES,
+    .writes = "svg png pdf json",
     .takes = "otczJP",
     .fonts_min = 1,
     .fonts_max = 2,

@@ -1,36 +1,11 @@
 /* morphotype COMMAND …: finds the subcommand and lets it run. */
 #include "commands.h"
+#include "help.h"
 #include "messages.h"
+#include "suggest.h"
 
 #include <stdio.h>
 #include <string.h>
-
-static const cli_command *const commands[] = {&blend_command,    &variable_command, &strip_command,
-                                              &sheet_command,    &inspect_command,  &report_command,
-                                              &specimen_command, &animate_command};
-#define COMMAND_COUNT ((int)(sizeof commands / sizeof commands[0]))
-
-static const cli_command *find(const char *name) {
-    for (int i = 0; i < COMMAND_COUNT; i++)
-        if (strcmp(commands[i]->name, name) == 0) return commands[i];
-    return NULL;
-}
-
-static int print_help(void) {
-    puts("usage: morphotype COMMAND FONT FONT [OPTION...]\n\nMakes the fonts between two fonts.\n");
-    for (int i = 0; i < COMMAND_COUNT; i++) printf("  %-10s %s\n", commands[i]->name, commands[i]->summary);
-    puts("\nA FONT is FILE[#FACE][@AXIS=VALUE,...][:FEATURE,...]: a face of a collection, counted from 0, at "
-         "a place of\n"
-         "a variable font, its characters in the forms of these features. Places between the fonts are T: 0 "
-         "is the\n"
-         "first font, 1 the second.\n"
-         "\n"
-         "  morphotype COMMAND --help    a command's options\n"
-         "  morphotype --version         the version\n"
-         "\n"
-         "Exit codes: 0 done; 1 could not, and nothing was written; 2 wrong usage.");
-    return DONE;
-}
 
 static int run(const cli_command *command, int argc, char **argv) {
     cli_options options;
@@ -40,13 +15,33 @@ static int run(const cli_command *command, int argc, char **argv) {
     return outcome;
 }
 
+static int refuse(const char *name) {
+    char hint[SUGGEST_ROOM];
+    suggestion nearest = suggest_for(name);
+    for (int i = 0; commands[i]; i++) suggest(&nearest, commands[i]->name);
+    return misuse(NULL, "%s is no command%s", name, suggest_text(&nearest, "", hint));
+}
+
+/* help [COMMAND] */
+static int help(int argc, char **argv) {
+    if (argc < 2) return help_program();
+    if (argc > 2) return misuse(NULL, "%s is one argument too many", argv[2]);
+    const cli_command *command = command_find(argv[1]);
+    return command ? help_command(command) : refuse(argv[1]);
+}
+
+static bool is_either(const char *argument, const char *a, const char *b) {
+    return strcmp(argument, a) == 0 || strcmp(argument, b) == 0;
+}
+
 static int dispatch(int argc, char **argv) {
     if (argc < 2) return misuse(NULL, "a command is wanted");
-    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) return print_help();
-    if (strcmp(argv[1], "--version") == 0)
-        return puts("morphotype " MORPHOTYPE_VERSION) < 0 ? COULD_NOT : DONE;
-    const cli_command *command = find(argv[1]);
-    return command ? run(command, argc - 1, argv + 1) : misuse(NULL, "%s is no command", argv[1]);
+    if (strcmp(argv[1], "help") == 0) return help(argc - 1, argv + 1);
+    if (is_either(argv[1], "--help", "-h")) return help_program();
+    if (is_either(argv[1], "--version", "-V")) return help_version();
+    if (argv[1][0] == '-') return misuse(NULL, "%s: a command comes first", argv[1]);
+    const cli_command *command = command_find(argv[1]);
+    return command ? run(command, argc - 1, argv + 1) : refuse(argv[1]);
 }
 
 int main(int argc, char **argv) {

@@ -2,95 +2,19 @@
 
 #include "base/memory.h"
 #include "base/utf.h"
+#include "commands.h"
+#include "help.h"
 #include "messages.h"
 #include "numbers.h"
 #include "picture/picture.h"
 #include "sfnt/axis_map.h"
 #include "sfnt/axis_names.h"
+#include "suggest.h"
 
 #include <getopt.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-/* Where an option has no short name of its own on the command line, its letter here is only its name in this
- * program. */
-typedef struct option_row {
-    char letter;
-    bool is_short; /* -x too */
-    const char *name, *argument;
-    const char *help;
-} option_row;
-
-/* The letters that every command takes stand in COMMON. */
-#define COMMON "fjqvhMTwrmsRIH"
-
-static const option_row rows[] = {
-    {'o', true, "output", "FILE", "the file to write"},
-    {'a', false, "at", "T[,T...]", "places from 0 (the first font) to 1 (the second)"},
-    {'n', false, "steps", "N", "N evenly spaced places, both fonts among them (2 ... 1000)"},
-    {'t', false, "text", "TEXT", "the text, UTF-8, with glyphs as /NAME; again for another line"},
-    {'c', false, "chars", "FILE", "characters, code points, ranges U+4E00-4E2F, glyphs /NAME; # comments"},
-    {'z', false, "size", "SIZE", "pixels (points in SVG and PDF) an em, or a cell of a sheet"},
-    {'p', false, "rows", "N", "rows on a page; without it, as many as A4's proportions take"},
-    {'l', false, "no-labels", NULL, "leave out the T under each step"},
-    {'F', false, "family", "NAME", "the new font's family name"},
-    {'Y', false, "style", "NAME[,NAME...]", "the new font's style, such as SemiBold Italic; one for each T"},
-    {'G', false, "glyphs", "both|first",
-     "those of both fonts, or all of the first's, unblended where need be"},
-    {'E', false, "alternates", NULL, "keep forms that text asks for (small capitals ...) of --text, --chars"},
-    {'L', false, "no-layout", NULL, "characters alone: no substitutions, kerning or marks of either font"},
-    {'X', false, "axis", "TAG=FROM..TO", "the axis, and what users set for the first font and for the last"},
-    {'A', false, "avar", "V:P[,V:P...]", "at V on the axis the font stands at P, both from 0 to 100"},
-    {'J', false, "json", NULL, "data: on stdout, or into FILE when that ends in .json"},
-    {'D', false, "duration", "SECONDS", "of a play, without what it holds; a second from one to the next"},
-    {'U', false, "fps", "N", "frames a second (1 ... 240); without it, 30"},
-    {'e', false, "ease", "EASE", "ease-in-out, another name of CSS, or cubic-bezier(X1,Y1,X2,Y2)"},
-    {'O', false, "ease-over", "each|whole", "ease from each to the next, or from the first to the last"},
-    {'d', false, "hold", "SECONDS", "that each key frame stays (0 ... 60)"},
-    {'N', false, "loop", "N|forever", "how often it plays; forever without it"},
-    {'y', false, "yoyo", NULL, "back again the way it came"},
-    {'C', false, "canvas", "WxH", "of so many pixels, with the drawing in its middle"},
-    {'k', false, "color", "COLOR[,COLOR...]", "of the drawing, or from the first to the last, or of each"},
-    {'b', false, "background", "COLOR|none", "white without it"},
-    {'K', false, "css", NULL, "SVG that moves by CSS, not by SMIL"},
-    {'S', false, "strict", NULL, "a glyph that cannot be blended is an error, not a line on stderr"},
-    {'M', false, "method", "joint|paper", "align boundaries where it goes, or map pieces throughout"},
-    {'T', false, "tolerance", "E", "flattening error bound, 1/1000 em (0.05 ... 10)"},
-    {'f', false, "fit", "E", "curve fitting error bound, 1/1000 em (0.05 ... 10)"},
-    {'w', false, "weights", "W1,W2,W3", "place, area and box in matching components; sum 1"},
-    {'r', false, "rounds", "N", "of the relaxation (0 ... 1000)"},
-    {'m', false, "threshold", "X", "matches weaker than X times the best count as none (0 ... 1)"},
-    {'s', false, "one-scale", NULL, "match pieces with one scale for both axes, as the paper prints it"},
-    {'R', false, "rotate", "DEGREES|auto", "turn while blending; auto finds the angle of each glyph"},
-    {'I', false, "slant", "DEGREES|auto",
-     "by how much the second font leans more than the first; auto measures it"},
-    {'P', false, "pairs", "FILE", "glyphs that go together, by name or code point, one a font on a line"},
-    {'H', false, "hints", "FILE", "which parts and places of both fonts' glyphs go together"},
-    {'j', true, "jobs", "N", "threads (1 ... 1024); without it, one a core"},
-    {'q', true, "quiet", NULL, "say nothing but errors"},
-    {'v', true, "verbose", NULL, "say what is done, and of each glyph by itself"},
-    {'h', true, "help", NULL, "show this"},
-};
-#define ROW_COUNT ((int)(sizeof rows / sizeof rows[0]))
-
-static bool takes(const cli_command *command, char letter) {
-    return strchr(COMMON, letter) || strchr(command->takes, letter);
-}
-
-static int print_help(const cli_command *command) {
-    printf("%s\n", command->help);
-    for (int i = 0; i < ROW_COUNT; i++) {
-        const option_row *row = &rows[i];
-        char name[64], letter[8] = "    ";
-        if (!takes(command, row->letter)) continue;
-        if (row->is_short) snprintf(letter, sizeof letter, "-%c, ", row->letter);
-        snprintf(name, sizeof name, "%s%s", row->name, row->argument ? " " : "");
-        printf("  %s--%s%-*s %s\n", letter, name, 26 - (int)strlen(name), row->argument ? row->argument : "",
-               row->help);
-    }
-    return DONE;
-}
 
 /* ---- one option --------------------------------------------------------------------------------- */
 
@@ -298,7 +222,8 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'S': return options->strict = true, GO_ON;
     case 'q': return options->quiet = true, GO_ON;
     case 'v': return options->verbose = true, GO_ON;
-    case 'h': return print_help(command);
+    case 'h': return help_command(command);
+    case 'V': return help_version();
     case 'M':
     case 'T':
     case 'f':
@@ -318,21 +243,54 @@ static int read_option(const cli_command *command, cli_options *options, char le
 /* getopt's tables of the command's options. */
 static void make_tables(const cli_command *command, struct option *longs, char *shorts) {
     *shorts++ = ':'; /* a missing argument is told from an unknown option */
-    for (int i = 0; i < ROW_COUNT; i++) {
-        if (!takes(command, rows[i].letter)) continue;
-        int wants = rows[i].argument ? required_argument : no_argument;
-        *longs++ = (struct option){rows[i].name, wants, NULL, rows[i].letter};
-        if (rows[i].is_short) *shorts++ = rows[i].letter;
-        if (rows[i].is_short && rows[i].argument) *shorts++ = ':';
+    for (const option_row *row = option_rows; row->name; row++) {
+        if (!option_is_taken(row, command)) continue;
+        int wants = row->argument ? required_argument : no_argument;
+        *longs++ = (struct option){row->name, wants, NULL, row->letter};
+        if (row->is_short) *shorts++ = row->letter;
+        if (row->is_short && row->argument) *shorts++ = ':';
     }
     *longs = (struct option){0};
     *shorts = '\0';
 }
 
+/* The options that a beginning may stand for, where they are several: "--steps, --style". */
+static void list_meant(const cli_command *command, const char *name, char *text, size_t room) {
+    size_t used = 0;
+    *text = '\0';
+    for (const option_row *row = option_rows; row->name; row++) {
+        if (!option_is_taken(row, command) || strncmp(row->name, name, strlen(name)) != 0) continue;
+        snprintf(text + used, room - used, "%s--%s", used ? ", " : "", row->name);
+        used += strlen(text + used);
+    }
+}
+
+/* The command's option of a name that is near; if it has none, another command's of this very name. */
+static int refuse_long(const cli_command *command, const char *argument) {
+    char name[SUGGEST_MOST + 1] = "", meant[512], hint[SUGGEST_ROOM];
+    strncat(name, argument + 2, SUGGEST_MOST);
+    name[strcspn(name, "=")] = '\0';
+    suggestion nearest = suggest_for(name);
+    for (const option_row *row = option_rows; row->name; row++) {
+        bool taken = option_is_taken(row, command);
+        if (taken) suggest(&nearest, row->name);
+        if (taken && strcmp(row->name, name) == 0)
+            return misuse(command->name, "--%s takes no argument", name);
+    }
+    list_meant(command, name, meant, sizeof meant);
+    if (*name && *meant) return misuse(command->name, "--%s may be any of %s", name, meant);
+    for (int i = 0; commands[i]; i++)
+        for (const option_row *row = option_rows; row->name; row++)
+            if (option_is_taken(row, commands[i]) && strcmp(row->name, name) == 0)
+                return misuse(command->name, "--%s is no option of %s, but of %s", name, command->name,
+                              commands[i]->name);
+    return misuse(command->name, "%s is no option of %s%s", argument, command->name,
+                  suggest_text(&nearest, "--", hint));
+}
+
 static int refuse(const cli_command *command, int letter, const char *argument) {
     if (letter == ':') return misuse(command->name, "%s wants an argument", argument);
-    if (strncmp(argument, "--", 2) == 0)
-        return misuse(command->name, "%s is no option of %s", argument, command->name);
+    if (strncmp(argument, "--", 2) == 0) return refuse_long(command, argument);
     return misuse(command->name, "-%c is no option of %s", optopt, command->name);
 }
 
@@ -348,9 +306,27 @@ static int read_fonts(const cli_command *command, int count, char **names, cli_o
     return GO_ON;
 }
 
+/* Options that exclude each other. */
+static int check_together(const cli_options *options) {
+    const struct {
+        bool first, second;
+        const char *names[2];
+    } pairs[] = {
+        {options->at_count, options->steps, {"--at", "--steps"}},
+        {options->text, options->chars_file, {"--text", "--chars"}},
+        {options->alternates, options->no_layout, {"--alternates", "--no-layout"}},
+        {options->quiet, options->verbose, {"--quiet", "--verbose"}},
+    };
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+        if (pairs[i].first && pairs[i].second)
+            return misuse(options->command, "%s and %s exclude each other", pairs[i].names[0],
+                          pairs[i].names[1]);
+    return GO_ON;
+}
+
 int options_read(const cli_command *command, int argc, char **argv, cli_options *options) {
-    struct option longs[ROW_COUNT + 1];
-    char shorts[2 * ROW_COUNT + 2];
+    struct option longs[OPTION_ROOM];
+    char shorts[2 * OPTION_ROOM];
     int letter, outcome = GO_ON;
     *options =
         (cli_options){.command = command->name, .params = mt_params_default(), .motion = motion_defaults()};
@@ -362,12 +338,7 @@ int options_read(const cli_command *command, int argc, char **argv, cli_options 
         outcome = known ? read_option(command, options, (char)letter, optarg)
                         : refuse(command, letter, argv[optind - 1]);
     }
-    if (outcome == GO_ON && options->at_count && options->steps)
-        outcome = misuse(command->name, "--at and --steps exclude each other");
-    if (outcome == GO_ON && options->text && options->chars_file)
-        outcome = misuse(command->name, "--text and --chars exclude each other");
-    if (outcome == GO_ON && options->alternates && options->no_layout)
-        outcome = misuse(command->name, "--alternates and --no-layout exclude each other");
+    if (outcome == GO_ON) outcome = check_together(options);
     return outcome == GO_ON ? read_fonts(command, argc - optind, argv + optind, options) : outcome;
 }
 

@@ -3,6 +3,7 @@
 
 #include "morphotype.h"
 #include "motion_options.h"
+#include "option_table.h"
 
 typedef struct cli_options {
     const char *command;
@@ -33,15 +34,27 @@ typedef struct cli_options {
     mt_params params;
 } cli_options;
 
-/* A subcommand. */
-typedef struct cli_command {
+typedef struct cli_example {
+    const char *what, *line; /* a command line as it is typed */
+} cli_example;
+
+enum { CLI_EXAMPLES = 4 };
+
+/* The extensions of fonts, as cli_command has them. */
+#define CLI_FONT_FILES "ttf otf ttc otc woff woff2 pfa pfb"
+
+/* A subcommand: what reads its command line, runs it, and shows it in --help, in the manual and to a shell. */
+struct cli_command {
     const char *name;
-    const char *summary; /* one line of the program's help */
-    const char *help;    /* the synopsis and what stands before the options' table */
-    const char *takes;   /* the short names of its own options */
+    const char *summary;                /* one line of the program's help */
+    const char *synopsis;               /* what follows the name */
+    const char *text;                   /* paragraphs, a line each */
+    cli_example examples[CLI_EXAMPLES]; /* those that are not used are all zero */
+    const char *reads, *writes;         /* extensions of files, with blanks between */
+    const char *takes;                  /* the letters of its own options */
     int fonts_min, fonts_max;
     int (*run)(cli_options *options); /* an exit code */
-} cli_command;
+};
 
 /* Reads the arguments after the subcommand's name, argv[0]. An exit code, or -1 to run the command; either
  * way the options are to be freed. Wrong usage is said; --help prints the help. */

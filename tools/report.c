@@ -30,18 +30,18 @@ static int run(cli_options *options) {
 const cli_command report_command = {
     .name = "report",
     .summary = "which glyphs between two fonts need a look, and why",
-    .help =
-        "usage: morphotype report FONT FONT -o OUT.html|json [OPTION...]\n"
-        "\n"
-        "Measures every glyph that blend makes of the same characters, ligatures and other forms too, at "
-        "17 places,\n"
-        "and lists them, the worst first, by what an eye would stumble over: ink that strays, clots, ink "
-        "out of range,\n"
-        "parts and holes that come or go. The page shows strips. --text wants all of its characters in "
-        "both fonts;\n"
-        "of --chars those are left out that one font lacks. A glyph that cannot be blended is in the report. "
-        "A glyph\n"
-        "without a character has its name: /f_i.\n",
+    .synopsis = "FONT FONT -o OUT.html|json [OPTION...]",
+    .text = "Measures every glyph that blend makes of the same characters, ligatures and other forms "
+            "too, at 17 places, and lists them, the worst first, by what an eye would stumble over: ink "
+            "that strays, clots, ink out of range, parts and holes that come or go. The page shows "
+            "strips."
+            "\n--text wants all of its characters in both fonts; of --chars those are left out that one "
+            "font lacks. A glyph that cannot be blended is in the report. A glyph without a character "
+            "has its name: /f_i.",
+    .examples = {{"A page with the glyphs that need a look:",
+                  "morphotype report A.ttf B.otf -o report.html"}},
+    .reads = CLI_FONT_FILES,
+    .writes = "html json",
     .takes = "otcELP",
     .fonts_min = 2,
     .fonts_max = 2,

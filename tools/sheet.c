@@ -69,12 +69,15 @@ static int run(cli_options *options) {
 const cli_command sheet_command = {
     .name = "sheet",
     .summary = "a grid of characters and places between two fonts, page by page",
-    .help = "usage: morphotype sheet FONT FONT --chars FILE|--text TEXT -o OUT.pdf|png|svg [OPTION...]\n"
-            "\n"
-            "Draws each character or glyph, a row each, at 6 places, or at those of --steps or --at. A PDF\n"
-            "holds all pages; the pages of PNG and SVG are OUT.png, OUT-2.png and so on. --text wants all of "
-            "its\n"
-            "characters in both fonts; of --chars those are left out that one font lacks.\n",
+    .synopsis = "FONT FONT --chars FILE|--text TEXT -o OUT.pdf|png|svg [OPTION...]",
+    .text = "Draws each character or glyph, a row each, at 6 places, or at those of --steps or --at. A "
+            "PDF holds all pages; the pages of PNG and SVG are OUT.png, OUT-2.png and so on."
+            "\n--text wants all of its characters in both fonts; of --chars those are left out that one "
+            "font lacks.",
+    .examples = {{"Some letters at five places:",
+                  "morphotype sheet A.ttf B.otf --text Type --steps 5 -o sheet.pdf"}},
+    .reads = CLI_FONT_FILES,
+    .writes = "pdf png svg",
     .takes = "oantczpSLP",
     .fonts_min = 2,
     .fonts_max = 2,

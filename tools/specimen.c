@@ -52,15 +52,15 @@ static int run(cli_options *options) {
 const cli_command specimen_command = {
     .name = "specimen",
     .summary = "a page to try out the variable font of two fonts, or more",
-    .help =
-        "usage: morphotype specimen FONT FONT [FONT...] -o OUT.html [OPTION...]\n"
-        "\n"
-        "Makes the font that variable makes, of the same characters, and a page of HTML that has it in it: "
-        "a\n"
-        "slider and a play button for its axis, a text to type in, its sizes, and all characters, with "
-        "those\n"
-        "marked that report flags. --text is the text that the page begins with, too. The page is one file\n"
-        "and fetches nothing.\n",
+    .synopsis = "FONT FONT [FONT...] -o OUT.html [OPTION...]",
+    .text = "Makes the font that variable makes, of the same characters, and a page of HTML that has it "
+            "in it: a slider and a play button for its axis, a text to type in, its sizes, and all "
+            "characters, with those marked that report flags."
+            "\n--text is the text that the page begins with, too. The page is one file and fetches "
+            "nothing.",
+    .examples = {{"A page to try the variable font on:", "morphotype specimen A.ttf B.otf -o specimen.html"}},
+    .reads = CLI_FONT_FILES,
+    .writes = "html",
     .takes = "otcFGELSP",
     .fonts_min = 2,
     .fonts_max = MT_VARIABLE_FONTS_MAX,

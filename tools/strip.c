@@ -46,11 +46,14 @@ static int run(cli_options *options) {
 const cli_command strip_command = {
     .name = "strip",
     .summary = "a text at several places between two fonts, as a picture",
-    .help = "usage: morphotype strip FONT FONT --text TEXT -o OUT.png|svg|pdf [OPTION...]\n"
-            "\n"
-            "Draws the text at 8 places, or at those of --steps or --at, with T under each. A short text has "
-            "its steps\n"
-            "side by side, one wider than three em has them below one another. Each --text is a line.\n",
+    .synopsis = "FONT FONT --text TEXT -o OUT.png|svg|pdf [OPTION...]",
+    .text = "Draws the text at 8 places, or at those of --steps or --at, with T under each. A short text "
+            "has its steps side by side, one wider than three em has them below one another. Each --text "
+            "is a line.",
+    .examples = {{"A text at five places, side by side:",
+                  "morphotype strip A.ttf B.otf --text Type --steps 5 -o strip.png"}},
+    .reads = CLI_FONT_FILES,
+    .writes = "png svg pdf",
     .takes = "oantzlSLP",
     .fonts_min = 2,
     .fonts_max = 2,

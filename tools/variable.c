@@ -45,22 +45,25 @@ static int run(cli_options *options) {
 const cli_command variable_command = {
     .name = "variable",
     .summary = "one variable font from any two fonts, or more",
-    .help =
-        "usage: morphotype variable FONT FONT [FONT...] -o OUT.ttf|woff2|designspace [OPTION...]\n"
-        "\n"
-        "Makes one font with an axis, MORF, from 0 (the first font, and the default) to 100 (the last); "
-        "fonts in\n"
-        "between are evenly spaced on it. It has every character that all of the fonts have, or of those "
-        "that --text\n"
-        "or --chars names. With --glyphs first the first font alone counts for this, and what the others "
-        "lack stays\n"
-        "as it is in the first. A glyph that cannot be blended is named on stderr; it switches half-way "
-        "from the one\n"
-        "font's own outline to the other's. OUT.designspace is a document; its masters are UFOs in "
-        "OUT-masters.\n"
-        "With --avar 25:10,50:40 the axis shows at 25 what it shows at 10 without, at 50 what at 40;\n"
-        "in between it is even, and the ends stay. --axis wght=400..900 makes it the weight axis, named by "
-        "weights.\n",
+    .synopsis = "FONT FONT [FONT...] -o OUT.ttf|woff2|designspace [OPTION...]",
+    .text = "Makes one font with an axis, MORF, from 0 (the first font, and the default) to 100 (the "
+            "last); fonts in between are evenly spaced on it. It has every character that all of the "
+            "fonts have, or of those that --text or --chars names. With --glyphs first the first font "
+            "alone counts for this, and what the others lack stays as it is in the first."
+            "\nA glyph that cannot be blended is named on stderr; it switches half-way from the one "
+            "font's own outline to the other's. OUT.designspace is a document; its masters are UFOs in "
+            "OUT-masters."
+            "\nWith --avar 25:10,50:40 the axis shows at 25 what it shows at 10 without, at 50 what at "
+            "40; in between it is even, and the ends stay. --axis wght=400..900 makes it the weight "
+            "axis, named by weights.",
+    .examples = {{"One font from the first to the second:",
+                  "morphotype variable A.ttf B.otf -o Variable.ttf"},
+                 {"With a weight axis:",
+                  "morphotype variable A.ttf B.otf --axis wght=400..900 --family Between -o Between.ttf"},
+                 {"Its masters, for an editor or fontmake:",
+                  "morphotype variable A.ttf B.otf -o Variable.designspace"}},
+    .reads = CLI_FONT_FILES,
+    .writes = "ttf woff2 designspace",
     .takes = "otcFYGELXASP",
     .fonts_min = 2,
     .fonts_max = MT_VARIABLE_FONTS_MAX,

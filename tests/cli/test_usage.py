@@ -1,5 +1,7 @@
 """Wrong usage: exit code 2, one line on stderr that points at the help. And the help itself."""
 
+import re
+
 import cli
 
 COMMANDS = (('blend', 'x.ttf'), ('strip', 'x.png'), ('sheet', 'x.pdf'), ('inspect', 'x.svg'))
@@ -79,7 +81,36 @@ class Usage(cli.Test):
         self.misused('blend', *FONTS, '--steps', '3', '-o', 'x.ttf', says=['--steps'])
         self.misused('blend', *FONTS, '-o', says=['-o'])
         self.misused('blend', *FONTS, '-o', 'x.ttf', '--at', says=['--at'])
-        self.misused('blend', *FONTS, '-o', 'x.ttf', '--quiet=yes', says=['--quiet'])
+        self.misused('blend', *FONTS, '-o', 'x.ttf', '--quiet=yes', says=['--quiet takes no argument'])
+        self.misused('blend', *FONTS, '-o', 'x.ttf', '--st', 'x', says=['--st may be any of --style, --strict'])
+        self.misused('blend', *FONTS, '-o', 'x.ttf', '--fps=3', says=['--fps is no option of blend, but of animate'])
+
+    def test_options_that_exclude_each_other(self):
+        for options in (('-q', '-v'), ('--verbose', '--quiet'), ('-vq',)):
+            self.misused('blend', *FONTS, '-o', 'x.ttf', *options, says=['--quiet and --verbose exclude each other'])
+        self.misused('blend', *FONTS, '-o', 'x.ttf', '--alternates', '--no-layout', says=['--alternates and --no-layout'])
+
+
+class Suggestions(cli.Test):
+    """Did you mean …? Only what is near."""
+
+    def said(self, *arguments):
+        return self.refused(2, *arguments)
+
+    def test_commands(self):
+        for wrong, right in (('bland', 'blend'), ('rport', 'report'), ('strpi', 'strip'), ('sheets', 'sheet'), ('varible', 'variable')):
+            self.assertIn(f'{wrong} is no command; did you mean {right}?', self.said(wrong, *FONTS))
+            self.assertIn(f'{wrong} is no command; did you mean {right}?', self.said('help', wrong))
+
+    def test_options(self):
+        for wrong, right in (('--txet', '--text'), ('--sise', '--size'), ('--weigths=1,0,0', '--weights'),
+                             ('--tolerence', '--tolerance'), ('--no-lables', '--no-labels'), ('--quite', '--quiet')):
+            self.assertIn(f'{wrong} is no option of strip; did you mean {right}?', self.said('strip', *FONTS, wrong))
+
+    def test_nothing_is_near(self):
+        for arguments in (('frobnicate', *FONTS), ('b', *FONTS), ('x' * 100, *FONTS), ('blend', *FONTS, '--frobnicate'),
+                          ('blend', *FONTS, '--' + 'x' * 100)):
+            self.assertNotIn('did you mean', self.said(*arguments))
 
 
 class Help(cli.Test):
@@ -90,19 +121,33 @@ class Help(cli.Test):
         self.assertEqual((result.returncode, result.stderr), (0, b''))
         return result.stdout.decode()
 
+    def commands(self):
+        return re.findall(r'^  ([a-z]+)  ', self.shown('--help'), flags=re.M)
+
     def test_program(self):
         text = self.shown('--help')
-        self.assertEqual(text, self.shown('-h'))
-        for command, _ in COMMANDS:
-            self.assertIn(f'\n  {command} ', text)
-        self.assertRegex(self.shown('--version'), r'^morphotype \d+\.\d+\.\d+\n$')
+        for arguments in (['-h'], ['help']):
+            self.assertEqual(text, self.shown(*arguments))
+        self.assertLessEqual({command for command, _ in COMMANDS}, set(self.commands()))
+
+    def test_version(self):
+        text = self.shown('--version')
+        self.assertRegex(text, r'^morphotype \d+\.\d+\.\d+\n$')
+        for arguments in (['-V'], ['blend', '--version'], ['strip', '-V', 'nothing.ttf']):
+            self.assertEqual(text, self.shown(*arguments))
 
     def test_commands(self):
-        for command, _ in COMMANDS:
+        for command in self.commands():
             text = self.shown(command, '--help')
             self.assertTrue(text.startswith(f'usage: morphotype {command} '), text)
             self.assertIn('--tolerance', text)
-            self.assertLessEqual(max(map(len, text.splitlines())), 110)
+            for arguments in ([command, '-h'], ['help', command]):
+                self.assertEqual(text, self.shown(*arguments))
+
+    def test_width(self):
+        for command in ['', *self.commands()]:
+            for line in self.shown('help', *command.split()).splitlines():
+                self.assertLessEqual(len(line), 110, line)
 
     def test_commands_show_their_own_options_only(self):
         self.assertIn('--family', self.shown('blend', '--help'))
