@@ -1,0 +1,261 @@
+/* The shortest ways are E. W. Dijkstra's ("A note on two problems in connexion with graphs", 1959), each until its end is reached. Two
+ * shortest ways seldom cross; where they do, a region has two facets to choose from, and takes the one with the longer border. */
+#include "solid/piece.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "space/vector.h"
+
+static int after(int edge) {
+    return edge % 3 == 2 ? edge - 2 : edge + 1;
+}
+
+static int before(int edge) {
+    return edge % 3 == 0 ? edge + 2 : edge - 1;
+}
+
+static int start_of(const mt_part *part, int edge) {
+    return part->triangles[edge / 3].at[edge % 3];
+}
+
+static int end_of(const mt_part *part, int edge) {
+    return start_of(part, after(edge));
+}
+
+/* ---- ridges -------------------------------------------------------------------------------------------- */
+
+static int by_ends(const void *p, const void *q) {
+    const mt_ridge *x = p, *y = q;
+    return x->u != y->u ? (x->u > y->u) - (x->u < y->u) : (x->v > y->v) - (x->v < y->v);
+}
+
+static mt_status find_ridges(mt_arena *arena, mt_piece *piece) {
+    const mt_polytope *hull = &piece->hull;
+    mt_ridge *all = mt_arena_new(arena, (size_t)hull->n_corners, sizeof *all);
+    piece->ridges = mt_arena_new(arena, (size_t)hull->n_corners, sizeof *all);
+    piece->first_ridge = mt_arena_new(arena, (size_t)piece->part.n_points + 2, sizeof(int));
+    piece->ridges_at = mt_arena_new(arena, (size_t)hull->n_corners, sizeof(int));
+    if (!all || !piece->ridges || !piece->first_ridge || !piece->ridges_at) return MT_NO_MEMORY;
+    int n = 0;
+    for (int f = 0; f < hull->n_facets; f++)
+        for (int i = 0; i < hull->facets[f].n_corners; i++) {
+            const mt_hull_facet *facet = &hull->facets[f];
+            all[n++] = (mt_ridge){
+                .u = facet->corners[i], .v = facet->corners[(i + 1) % facet->n_corners], .left = f};
+        }
+    qsort(all, (size_t)n, sizeof *all, by_ends);
+    for (int i = 0; i < n; i++) {
+        mt_ridge back = {.u = all[i].v, .v = all[i].u};
+        if (back.u < back.v) continue;
+        const mt_ridge *other = bsearch(&back, all, (size_t)n, sizeof *all, by_ends);
+        if (!other) return MT_BAD_GEOMETRY;
+        piece->ridges[piece->n_ridges] = all[i];
+        piece->ridges[piece->n_ridges++].right = other->left;
+    }
+    int *next = piece->first_ridge + 1; /* where the next ridge of a point goes */
+    for (int i = 0; i < piece->n_ridges; i++) {
+        next[piece->ridges[i].u + 1]++;
+        next[piece->ridges[i].v + 1]++;
+    }
+    for (int p = 0; p < piece->part.n_points; p++) next[p + 1] += next[p];
+    for (int i = 0; i < piece->n_ridges; i++) {
+        piece->ridges_at[next[piece->ridges[i].u]++] = i;
+        piece->ridges_at[next[piece->ridges[i].v]++] = i;
+    }
+    return MT_OK;
+}
+
+/* ---- shortest ways ------------------------------------------------------------------------------------- */
+
+typedef struct mt_reached {
+    double length;
+    int point;
+} mt_reached;
+
+typedef struct mt_search {
+    const mt_part *part;
+    int *leaving; /* of each point: an edge that starts there */
+    double *length;
+    int *by, *round; /* of each point: the edge that led there; the search that reached it */
+    int rounds;
+    mt_reached *heap;
+    int n_heap, heap_room;
+    mt_arena *arena;
+} mt_search;
+
+static bool is_nearer(mt_reached p, mt_reached q) {
+    return p.length != q.length ? p.length < q.length : p.point < q.point;
+}
+
+static mt_status push(mt_search *s, mt_reached item) {
+    s->heap = mt_arena_grow_list(s->arena, s->heap, s->n_heap, &s->heap_room, sizeof *s->heap);
+    if (!s->heap) return MT_NO_MEMORY;
+    int i = s->n_heap++;
+    for (; i > 0 && is_nearer(item, s->heap[(i - 1) / 2]); i = (i - 1) / 2) s->heap[i] = s->heap[(i - 1) / 2];
+    s->heap[i] = item;
+    return MT_OK;
+}
+
+static mt_reached pop(mt_search *s) {
+    mt_reached top = s->heap[0], last = s->heap[--s->n_heap];
+    int i = 0;
+    for (int child; (child = 2 * i + 1) < s->n_heap; i = child) {
+        if (child + 1 < s->n_heap && is_nearer(s->heap[child + 1], s->heap[child])) child++;
+        if (!is_nearer(s->heap[child], last)) break;
+        s->heap[i] = s->heap[child];
+    }
+    s->heap[i] = last;
+    return top;
+}
+
+static mt_status reach(mt_search *s, int point, double length, int by) {
+    if (s->round[point] == s->rounds && s->length[point] <= length) return MT_OK;
+    s->round[point] = s->rounds;
+    s->length[point] = length;
+    s->by[point] = by;
+    return push(s, (mt_reached){length, point});
+}
+
+static mt_status find_way(mt_search *s, mt_ridge *ridge, mt_arena *arena) {
+    const mt_part *part = s->part;
+    s->rounds++;
+    s->n_heap = 0;
+    mt_status status = reach(s, ridge->u, 0, -1);
+    while (status == MT_OK && s->n_heap > 0) {
+        mt_reached here = pop(s);
+        if (here.length > s->length[here.point]) continue;
+        if (here.point == ridge->v) break;
+        int e = s->leaving[here.point];
+        do {
+            int to = end_of(part, e);
+            double step = mt_length3(mt_minus3(part->places[to], part->places[here.point]));
+            if (status == MT_OK) status = reach(s, to, here.length + step, e);
+            e = part->twins[before(e)];
+        } while (e != s->leaving[here.point]);
+    }
+    if (status != MT_OK) return status;
+    if (s->round[ridge->v] != s->rounds) return MT_BAD_GEOMETRY; /* not in one piece */
+    for (int p = ridge->v; p != ridge->u; p = start_of(part, s->by[p])) ridge->n_steps++;
+    ridge->steps = mt_arena_new(arena, (size_t)ridge->n_steps, sizeof(int));
+    if (!ridge->steps) return MT_NO_MEMORY;
+    int i = ridge->n_steps;
+    for (int p = ridge->v; p != ridge->u; p = start_of(part, s->by[p])) ridge->steps[--i] = s->by[p];
+    return MT_OK;
+}
+
+static mt_status find_ways(mt_arena *arena, mt_piece *piece) {
+    const mt_part *part = &piece->part;
+    size_t n = (size_t)part->n_points;
+    mt_search s = {.part = part,
+                   .arena = arena,
+                   .leaving = mt_arena_new(arena, n, sizeof(int)),
+                   .length = mt_arena_new(arena, n, sizeof(double)),
+                   .by = mt_arena_new(arena, n, sizeof(int)),
+                   .round = mt_arena_new(arena, n, sizeof(int))};
+    if (!s.leaving || !s.length || !s.by || !s.round) return MT_NO_MEMORY;
+    for (int e = 0; e < 3 * part->n_triangles; e++) s.leaving[start_of(part, e)] = e;
+    mt_status status = MT_OK;
+    for (int i = 0; status == MT_OK && i < piece->n_ridges; i++)
+        status = find_way(&s, &piece->ridges[i], arena);
+    return status;
+}
+
+/* ---- regions ------------------------------------------------------------------------------------------- */
+
+/* A vote of a region's border for a facet. */
+typedef struct mt_vote {
+    int region, facet;
+    double length;
+} mt_vote;
+
+static int by_region_then_facet(const void *p, const void *q) {
+    const mt_vote *x = p, *y = q;
+    return x->region != y->region ? (x->region > y->region) - (x->region < y->region)
+                                  : (x->facet > y->facet) - (x->facet < y->facet);
+}
+
+/* Numbers the regions between the ways, from 0; their count, or -1 when out of memory. */
+static int find_regions(mt_arena *arena, const mt_part *part, const bool *is_border, int *region) {
+    int *stack = mt_arena_new(arena, (size_t)part->n_triangles, sizeof *stack);
+    int n = 0;
+    if (!stack) return -1;
+    for (int t = 0; t < part->n_triangles; t++) region[t] = -1;
+    for (int t = 0; t < part->n_triangles; t++) {
+        if (region[t] >= 0) continue;
+        int depth = 0;
+        region[t] = n;
+        stack[depth++] = t;
+        while (depth > 0) {
+            int here = stack[--depth];
+            for (int e = 3 * here; e < 3 * here + 3; e++) {
+                int there = part->twins[e] / 3;
+                if (is_border[e] || region[there] >= 0) continue;
+                region[there] = n;
+                stack[depth++] = there;
+            }
+        }
+        n++;
+    }
+    return n;
+}
+
+static mt_vote *cast_votes(mt_arena *arena, const mt_piece *piece, const int *region, int *n_votes) {
+    const mt_part *part = &piece->part;
+    int n = 0;
+    for (int i = 0; i < piece->n_ridges; i++) n += 2 * piece->ridges[i].n_steps;
+    mt_vote *votes = mt_arena_new(arena, (size_t)n, sizeof *votes);
+    if (!votes) return NULL;
+    n = 0;
+    for (int i = 0; i < piece->n_ridges; i++)
+        for (int k = 0; k < piece->ridges[i].n_steps; k++) {
+            int e = piece->ridges[i].steps[k];
+            double length =
+                mt_length3(mt_minus3(part->places[end_of(part, e)], part->places[start_of(part, e)]));
+            votes[n++] = (mt_vote){region[e / 3], piece->ridges[i].left, length};
+            votes[n++] = (mt_vote){region[part->twins[e] / 3], piece->ridges[i].right, length};
+        }
+    qsort(votes, (size_t)n, sizeof *votes, by_region_then_facet);
+    *n_votes = n;
+    return votes;
+}
+
+static mt_status assign_facets(mt_arena *arena, mt_piece *piece) {
+    const mt_part *part = &piece->part;
+    int n = part->n_triangles, n_votes = 0;
+    bool *is_border = mt_arena_new(arena, 3 * (size_t)n, sizeof *is_border);
+    int *region = mt_arena_new(arena, (size_t)n, sizeof *region);
+    piece->facet_of = mt_arena_new(arena, (size_t)n, sizeof *piece->facet_of);
+    if (!is_border || !region || !piece->facet_of) return MT_NO_MEMORY;
+    for (int i = 0; i < piece->n_ridges; i++)
+        for (int k = 0; k < piece->ridges[i].n_steps; k++) {
+            int e = piece->ridges[i].steps[k];
+            is_border[e] = is_border[part->twins[e]] = true;
+        }
+    int n_regions = find_regions(arena, part, is_border, region);
+    if (n_regions < 0) return MT_NO_MEMORY;
+    int *facet = mt_arena_new(arena, (size_t)n_regions, sizeof *facet);
+    double *most = mt_arena_new(arena, (size_t)n_regions, sizeof *most);
+    mt_vote *votes = cast_votes(arena, piece, region, &n_votes);
+    if (!facet || !most || !votes) return MT_NO_MEMORY;
+    for (int i = 0, end; i < n_votes; i = end) {
+        double sum = 0;
+        for (end = i; end < n_votes && by_region_then_facet(&votes[end], &votes[i]) == 0; end++)
+            sum += votes[end].length;
+        if (sum <= most[votes[i].region]) continue;
+        most[votes[i].region] = sum;
+        facet[votes[i].region] = votes[i].facet;
+    }
+    for (int t = 0; t < n; t++) piece->facet_of[t] = facet[region[t]];
+    return MT_OK;
+}
+
+mt_status mt_piece_of(mt_arena *arena, const mt_part *part, mt_piece *piece) {
+    mt_piece made = {.part = *part};
+    mt_status status = mt_polytope_around(arena, part->places, part->n_points, &made.hull);
+    if (status == MT_OK) status = find_ridges(arena, &made);
+    if (status == MT_OK) status = find_ways(arena, &made);
+    if (status == MT_OK) status = assign_facets(arena, &made);
+    if (status == MT_OK) *piece = made;
+    return status;
+}
