@@ -1,8 +1,7 @@
 /* A mesh whose points stand on a grid of whole numbers, so that what is asked of it is decided exactly. */
 #pragma once
 
-#include "base/memory.h"
-#include "mesh/draft.h"
+#include "morphotype.h"
 
 /* Cells along the longest side of the mesh's box: products of three differences fit 128 bits. */
 #define MT_GRID_CELLS (1 << 22)
@@ -17,10 +16,6 @@ typedef struct mt_grid_mesh {
     mt_grid_point *at; /* no two alike */
     mt_mesh mesh;      /* of the same points, in the units of the file */
 } mt_grid_mesh;
-
-/* Points on one place of the grid become one, the first; polygons become triangles; those without an area, because two corners are
- * one, are left out. All belongs to the arena. MT_NOT_SOLID where nothing is left; MT_TOO_LARGE; MT_NO_MEMORY. */
-mt_status mt_grid_weld(const mt_draft *draft, mt_arena *arena, mt_grid_mesh *grid);
 
 /* Where d is of the plane through a, b and c: > 0 on the side from which they are clockwise, 0 on it. */
 int mt_grid_side(mt_grid_point a, mt_grid_point b, mt_grid_point c, mt_grid_point d);

@@ -9,6 +9,7 @@
 #include "mesh/formats.h"
 #include "mesh/limits.h"
 #include "mesh/shells.h"
+#include "mesh/weld.h"
 
 bool mt_mesh_format_of(const char *path, mt_mesh_format *format) {
     static const char *const extensions[] = {".obj", ".stl", ".ply", ".off", ".glb"};

@@ -1,6 +1,8 @@
 /* The surface of a solid: each edge has two triangles, which run through it in opposite directions. */
 #pragma once
 
+#include "base/memory.h"
+#include "mesh/fault.h"
 #include "mesh/grid.h"
 
 /* Half-edge e runs from corner e % 3 of triangle e / 3 to the next; twins[e] is the one that runs back. */
