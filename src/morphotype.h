@@ -333,12 +333,51 @@ typedef struct mt_mesh_fault {
     char line[256]; /* one line of English, without a full stop; "": nothing more is known than the status */
 } mt_mesh_fault;
 
+/* The surface of a solid: closed, with every edge between two triangles, which face the same side; not crossing or touching itself;
+ * in one part or in several, with or without hollows. */
+typedef struct mt_solid mt_solid;
+
+/* Reads .obj, .stl, .ply, .off and .glb. Points at one place are welded, polygons cut into triangles, those without an area left out, and
+ * surfaces that face inwards turned over. `fault`, unless NULL, is filled in where it returns MT_BAD_MESH, MT_NOT_SOLID or MT_TOO_LARGE. Also
+ * MT_NO_FILE, MT_UNKNOWN_FORMAT, MT_NO_MEMORY. */
+MT_API mt_status mt_solid_open(const char *path, mt_solid **solid, mt_mesh_fault *fault);
+/* The same of a mesh from memory, which is copied. */
+MT_API mt_status mt_solid_new(const mt_mesh *mesh, mt_solid **solid, mt_mesh_fault *fault);
+MT_API void mt_solid_free(mt_solid *solid); /* NULL is fine */
+/* Its mesh, which belongs to it. */
+MT_API const mt_mesh *mt_solid_mesh(const mt_solid *solid);
+
+#define MT_SOLID_DEPTH_MIN 0.001
+#define MT_SOLID_DEPTH_MAX 0.5
+
 typedef struct mt_solid_params {
     mt_method method; /* MT_METHOD_PAPER: exact convex pieces, Definition 1 */
     double depth;     /* how far a piece's hull may leave the piece, as a share of the solid's diagonal */
-    mt_vector3 axis;  /* formula (5): B is turned about it */
-    double degrees;   /* by this angle; 0 for none */
+    mt_vector3 axis;  /* formula (5): B is turned about it; of any length but 0 */
+    double degrees; /* by this angle, -360 … 360, anticlockwise as the axis points at the eye; 0 for none */
 } mt_solid_params;
+
+MT_API mt_solid_params mt_solid_params_default(void);
+
+/* What is between two solids. */
+typedef struct mt_solid_blend mt_solid_blend;
+
+/* Keeps neither solid. MT_BAD_PARAMETER, MT_BAD_GEOMETRY, MT_NO_MEMORY. */
+MT_API mt_status mt_solid_blend_new(const mt_solid *a, const mt_solid *b, const mt_solid_params *params,
+                                    mt_solid_blend **blend);
+MT_API void mt_solid_blend_free(mt_solid_blend *blend); /* NULL is fine */
+
+/* The solid at t, 0 … 1: the sources themselves at 0 and 1; in between closed meshes that may overlap, and whose union it is. Give it
+ * back with mt_mesh_free. MT_BAD_PARAMETER, MT_NO_MEMORY. */
+MT_API mt_status mt_solid_blend_mesh(const mt_solid_blend *blend, double t, mt_mesh *mesh);
+MT_API void mt_mesh_free(mt_mesh *mesh);
+/* The same, written to `path` whole or not at all, in the format of its extension, which are those that are read. MT_UNKNOWN_FORMAT,
+ * MT_CANNOT_WRITE. */
+MT_API mt_status mt_solid_blend_save(const mt_solid_blend *blend, double t, const char *path);
+/* The whole way as one .glb: a mesh whose morph target is the second solid, with an animation of the target's weight that takes `duration`
+ * seconds, 0.01 … 600, and with `yoyo` goes back again. MT_UNKNOWN_FORMAT, MT_BAD_PARAMETER, MT_CANNOT_WRITE, MT_TOO_LARGE, MT_NO_MEMORY. */
+MT_API mt_status mt_solid_blend_save_morph(const mt_solid_blend *blend, double duration, bool yoyo,
+                                           const char *path);
 
 /* ---- hints --------------------------------------------------------------------------------------------- */
 

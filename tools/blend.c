@@ -1,51 +1,12 @@
 /* morphotype blend: fonts between two fonts. All of them are made before the first is put in its place. */
-#include "base/memory.h"
 #include "commands.h"
 #include "messages.h"
-#include "numbers.h"
+#include "outputs.h"
 #include "save/save.h"
 #include "work.h"
 
 #include <stdio.h>
 #include <string.h>
-
-/* Where the fonts go, as many as there are T. */
-typedef struct outputs {
-    int count;
-    char **paths;
-    size_t *lengths; /* bytes, once they are written */
-} outputs;
-
-/* OUT.ttf, or OUT-0.25.ttf where there are several; from mt_new, NULL when out of memory. */
-static char *path_of(const cli_options *options, int index) {
-    char t[32];
-    if (options->at_count == 1) return mt_copy_text(options->output);
-    size_t room = strlen(options->output) + sizeof t + 1;
-    int stem = (int)(strrchr(options->output, '.') - options->output);
-    char *path = mt_new(room, 1);
-    number_write(options->at[index], t);
-    if (path) snprintf(path, room, "%.*s-%s%s", stem, options->output, t, options->output + stem);
-    return path;
-}
-
-static mt_status name_outputs(const cli_options *options, outputs *named) {
-    size_t count = (size_t)options->at_count;
-    named->paths = mt_new(count, sizeof *named->paths);
-    named->lengths = mt_new(count, sizeof *named->lengths);
-    if (!named->paths || !named->lengths) return MT_NO_MEMORY;
-    named->count = options->at_count;
-    for (int i = 0; i < named->count; i++) {
-        named->paths[i] = path_of(options, i);
-        if (!named->paths[i]) return MT_NO_MEMORY;
-    }
-    return MT_OK;
-}
-
-static void free_outputs(outputs *named) {
-    for (int i = 0; i < named->count; i++) mt_free(named->paths[i]);
-    mt_free(named->paths);
-    mt_free(named->lengths);
-}
 
 static int save(cli_work *work, const outputs *named) {
     const cli_options *options = work->options;
@@ -100,11 +61,7 @@ static int check(const cli_options *options) {
     if (options->style_count && options->style_count != places)
         return misuse(options->command, "--style: %d name%s for %d font%s", options->style_count,
                       options->style_count == 1 ? "" : "s", places, places == 1 ? "" : "s");
-    for (int i = 0; i < options->at_count; i++)
-        for (int k = 0; k < i; k++)
-            if (options->at[i] == options->at[k])
-                return misuse(options->command, "--at: %g stands there twice", options->at[i]);
-    return DONE;
+    return outputs_check_places(options);
 }
 
 static int run(cli_options *options) {
@@ -112,9 +69,9 @@ static int run(cli_options *options) {
     int outcome = check(options);
     if (outcome == DONE) outcome = options_spread(options, 1);
     if (outcome != DONE) return outcome;
-    mt_status status = name_outputs(options, &named);
+    mt_status status = outputs_name(options, &named);
     outcome = status == MT_OK ? blend(options, &named) : fail_status(options->output, status);
-    free_outputs(&named);
+    outputs_free(&named);
     return outcome;
 }
 

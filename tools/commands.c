@@ -4,7 +4,7 @@
 
 const cli_command *const commands[] = {
     &blend_command,  &variable_command, &strip_command,   &sheet_command, &inspect_command,
-    &report_command, &specimen_command, &animate_command, NULL,
+    &report_command, &specimen_command, &animate_command, &solid_command, NULL,
 };
 
 const cli_command *command_find(const char *name) {

@@ -11,6 +11,7 @@ extern const cli_command inspect_command;  /* inspect.c */
 extern const cli_command report_command;   /* report.c */
 extern const cli_command variable_command; /* variable.c */
 extern const cli_command specimen_command; /* specimen.c */
+extern const cli_command solid_command;    /* solid.c */
 
 /* All of them, in the order of the help; a NULL ends them. */
 extern const cli_command *const commands[];

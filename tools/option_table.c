@@ -4,17 +4,17 @@
 
 #include <string.h>
 
-/* The letters that every command takes. */
+/* The letters that every command takes, unless it leaves them. */
 #define COMMON "fjqvhVMTwrmsRIH"
 
 const option_row option_rows[] = {
     {'o', true, "output", "FILE", NULL, "the file to write"},
-    {'a', false, "at", "T[,T...]", NULL, "places from 0 (the first font) to 1 (the second)"},
-    {'n', false, "steps", "N", NULL, "N evenly spaced places, both fonts among them (2 ... 1000)"},
+    {'a', false, "at", "T[,T...]", NULL, "places from 0 (the first) to 1 (the second)"},
+    {'n', false, "steps", "N", NULL, "N evenly spaced places, both ends among them (2 ... 1000)"},
     {'t', false, "text", "TEXT", NULL, "the text, UTF-8, with glyphs as /NAME; again for another line"},
     {'c', false, "chars", "FILE", NULL,
      "characters, code points, ranges U+4E00-4E2F, glyphs /NAME; # comments"},
-    {'z', false, "size", "SIZE", NULL, "pixels (points in SVG and PDF) an em, or a cell of a sheet"},
+    {'z', false, "size", "SIZE", NULL, "pixels (points in SVG and PDF) an em, a cell of a sheet, or a solid"},
     {'p', false, "rows", "N", NULL, "rows on a page; without it, as many as A4's proportions take"},
     {'l', false, "no-labels", NULL, NULL, "leave out the T under each step"},
     {'F', false, "family", "NAME", NULL, "the new font's family name"},
@@ -45,6 +45,9 @@ const option_row option_rows[] = {
      "of the drawing, or from the first to the last, or of each"},
     {'b', false, "background", "COLOR|none", NULL, "white without it"},
     {'K', false, "css", NULL, NULL, "SVG that moves by CSS, not by SMIL"},
+    {'i', false, "depth", "X", NULL, "how far pieces may leave their hulls, of the diagonal (0.001 ... 0.5)"},
+    {'u', false, "about", "x|y|z|X,Y,Z", NULL, "the axis of --rotate; y without it"},
+    {'W', false, "view", "TURN,TILT", NULL, "from where pictures look, degrees; -30,25 without it"},
     {'S', false, "strict", NULL, NULL, "a glyph that cannot be blended is an error, not a line on stderr"},
     {'M', false, "method", "joint|paper", NULL, "align boundaries where it goes, or map pieces throughout"},
     {'T', false, "tolerance", "E", NULL, "flattening error bound, 1/1000 em (0.05 ... 10)"},
@@ -75,5 +78,6 @@ bool option_is_common(const option_row *row) {
 }
 
 bool option_is_taken(const option_row *row, const cli_command *command) {
-    return option_is_common(row) || strchr(command->takes, row->letter);
+    bool left = command->leaves && strchr(command->leaves, row->letter);
+    return (option_is_common(row) && !left) || strchr(command->takes, row->letter);
 }

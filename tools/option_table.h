@@ -23,5 +23,5 @@ enum { OPTION_ROOM = 80 }; /* the table has fewer rows */
 /* The rows in the order of the help; the last has no name. */
 extern const option_row option_rows[];
 
-bool option_is_common(const option_row *row); /* every command takes it */
+bool option_is_common(const option_row *row); /* every command takes it, unless it leaves it */
 bool option_is_taken(const option_row *row, const cli_command *command);

@@ -234,6 +234,9 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'R':
     case 'I':
     case 'j': return read_param(options, letter, argument);
+    case 'i':
+    case 'u':
+    case 'W': return solid_read(command->name, letter, argument, &options->solid) ? GO_ON : WRONG_USAGE;
     default: return motion_read(command->name, letter, argument, &options->motion) ? GO_ON : WRONG_USAGE;
     }
 }
@@ -328,8 +331,10 @@ int options_read(const cli_command *command, int argc, char **argv, cli_options 
     struct option longs[OPTION_ROOM];
     char shorts[2 * OPTION_ROOM];
     int letter, outcome = GO_ON;
-    *options =
-        (cli_options){.command = command->name, .params = mt_params_default(), .motion = motion_defaults()};
+    *options = (cli_options){.command = command->name,
+                             .params = mt_params_default(),
+                             .motion = motion_defaults(),
+                             .solid = solid_defaults()};
     make_tables(command, longs, shorts);
     opterr = 0;
     optind = 1;

@@ -4,6 +4,7 @@
 #include "morphotype.h"
 #include "motion_options.h"
 #include "option_table.h"
+#include "solid_options.h"
 
 typedef struct cli_options {
     const char *command;
@@ -30,6 +31,7 @@ typedef struct cli_options {
     int rows;    /* 0: not given */
     mt_glyph_set glyphs;
     cli_motion motion; /* of animate */
+    cli_solid solid;   /* of solid */
     bool alternates, no_layout, no_labels, json, strict, quiet, verbose;
     mt_params params;
 } cli_options;
@@ -52,6 +54,7 @@ struct cli_command {
     cli_example examples[CLI_EXAMPLES]; /* those that are not used are all zero */
     const char *reads, *writes;         /* extensions of files, with blanks between */
     const char *takes;                  /* the letters of its own options */
+    const char *leaves; /* of those of every other command it does not take these; NULL: takes all */
     int fonts_min, fonts_max;
     int (*run)(cli_options *options); /* an exit code */
 };

@@ -1,6 +1,7 @@
 #include "base/json.h"
 
 #include "base/decimal.h"
+#include "base/real.h"
 #include "base/utf.h"
 
 #include <inttypes.h>
@@ -102,6 +103,13 @@ void mt_json_bool(mt_json *json, const char *key, bool value) {
 void mt_json_int(mt_json *json, const char *key, int64_t value) {
     char text[24];
     snprintf(text, sizeof text, "%" PRId64, value);
+    begin_value(json, key);
+    add(json, text);
+}
+
+void mt_json_real(mt_json *json, const char *key, double value, int digits) {
+    char text[MT_REAL_ROOM];
+    mt_real_write(value, digits, text);
     begin_value(json, key);
     add(json, text);
 }

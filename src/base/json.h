@@ -23,4 +23,5 @@ void mt_json_text(mt_json *json, const char *key,
                   const char *utf8); /* bytes that are no UTF-8 become U+FFFD */
 void mt_json_bool(mt_json *json, const char *key, bool value);
 void mt_json_int(mt_json *json, const char *key, int64_t value);
+void mt_json_real(mt_json *json, const char *key, double value, int digits); /* as mt_real_write */
 void mt_json_number(mt_json *json, const char *key, double value); /* to 9 decimals; |value| under 10^9 */
