@@ -92,7 +92,7 @@ const cli_command blend_command = {
                  {"Three fonts, Between-0.25.ttf, Between-0.5.ttf and Between-0.75.ttf:",
                   "morphotype blend A.ttf B.otf --at 0.25,0.5,0.75 -o Between.ttf"},
                  {"A font of these letters, for the web:",
-                  "morphotype blend A.ttf B.otf --text Type --family Between -o Between.woff2"}},
+                  "morphotype blend A.ttf B.otf --text type --family Between -o Between.woff2"}},
     .reads = CLI_FONT_FILES,
     .writes = "ttf woff2 ufo",
     .takes = "oatcFYGELSP",

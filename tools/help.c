@@ -23,6 +23,12 @@ const exit_code exit_codes[] = {
     {0},
 };
 
+const environment_row environment[] = {
+    {"SOURCE_DATE_EPOCH", "seconds since 1970: the date of what is made, in place of the sources' own"},
+    {"TERM", "dumb: no progress is drawn"},
+    {0},
+};
+
 /* Prints words, which are ASCII, from `column` on, with the lines that follow indented by `indent`, and ends the line. */
 static void print_wrapped(const char *words, size_t length, int column, int indent) {
     for (size_t at = 0; at < length;) {

@@ -16,3 +16,8 @@ typedef struct exit_code {
     const char *meaning;
 } exit_code;
 extern const exit_code exit_codes[]; /* the last has no meaning */
+
+typedef struct environment_row {
+    const char *name, *meaning;
+} environment_row;
+extern const environment_row environment[]; /* the last has no name */

@@ -1,12 +1,20 @@
 #include "progress.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #define WIDTH 40
 
+/* A terminal that can go back in its line. */
+static bool is_terminal(void) {
+    const char *kind = getenv("TERM");
+    return kind && *kind && strcmp(kind, "dumb") != 0 && isatty(STDERR_FILENO);
+}
+
 progress progress_begin(bool quiet) {
-    return (progress){.shown = !quiet && isatty(STDERR_FILENO), .drawn = -1};
+    return (progress){.shown = !quiet && is_terminal(), .drawn = -1};
 }
 
 void progress_draw(int done, int all, void *user) {

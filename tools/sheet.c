@@ -75,7 +75,7 @@ const cli_command sheet_command = {
             "\n--text wants all of its characters in both fonts; of --chars those are left out that one "
             "font lacks.",
     .examples = {{"Some letters at five places:",
-                  "morphotype sheet A.ttf B.otf --text Type --steps 5 -o sheet.pdf"}},
+                  "morphotype sheet A.ttf B.otf --text type --steps 5 -o sheet.pdf"}},
     .reads = CLI_FONT_FILES,
     .writes = "pdf png svg",
     .takes = "oantczpSLP",

@@ -51,7 +51,7 @@ const cli_command strip_command = {
             "has its steps side by side, one wider than three em has them below one another. Each --text "
             "is a line.",
     .examples = {{"A text at five places, side by side:",
-                  "morphotype strip A.ttf B.otf --text Type --steps 5 -o strip.png"}},
+                  "morphotype strip A.ttf B.otf --text type --steps 5 -o strip.png"}},
     .reads = CLI_FONT_FILES,
     .writes = "png svg pdf",
     .takes = "oantzlSLP",
