@@ -6,18 +6,14 @@
  *     │  │ │  o  │ │  │
  *     └──┴─┴─────┴─┴──┘
  *
- * Its mean width is twice its area over the length of its border. O(r² n) for r rings of n points, to find which hole a component is in. */
+ * A counter lies on the other's counter, and what lies on its ink has no counterpart there. O(r (r n + m log m)) for r rings of n points
+ * and ink of m. */
 #include "geometry/white.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "geometry/inside.h"
-#include "geometry/limits.h"
 #include "geometry/union.h"
-
-#define WHITE_MOST                                                                                           \
-    60.0 /* 1/1000 em: an inline is 20 to 40 wide, a counter of a black face 50 and more at its narrowest */
 
 /* All rings of a shape. */
 typedef struct mt_ring_tree {
@@ -61,65 +57,95 @@ static mt_status list_rings(const mt_shape *shape, mt_arena *arena, mt_ring_tree
     return MT_OK;
 }
 
-static double mean_width(const mt_rings *region) {
-    return fabs((double)mt_component_area2(region)) / mt_rings_length(region);
-}
-
-/* A region, and how wide it is. */
-typedef struct mt_width {
-    mt_rings region;
-    int hole;
-    double width; /* grid units */
-} mt_width;
-
-static mt_status region_of(const mt_ring_tree *t, int hole, mt_arena *arena, mt_width *made) {
-    *made = (mt_width){{0, mt_arena_new(arena, (size_t)t->count, sizeof(mt_ring))}, hole, 0};
-    if (!made->region.rings) return MT_NO_MEMORY;
-    made->region.rings[made->region.count++] = *t->rings[hole];
-    for (int i = 0; i < t->count; i++)
-        if (t->home[i] == hole) made->region.rings[made->region.count++] = *t->rings[i];
-    made->width = mean_width(&made->region);
+/* The rings with ink to the left of them, or where `white` with white there. */
+static mt_status add_rings(const mt_rings *rings, bool white, mt_arena *arena, mt_rings *all) {
+    for (int i = 0; i < rings->count; i++) {
+        mt_ring *ring = &all->rings[all->count];
+        mt_status status = mt_ring_new(arena, rings->rings[i].count, ring);
+        if (status != MT_OK) return status;
+        for (int k = 0; k < ring->count; k++)
+            ring->points[k] = rings->rings[i].points[white ? ring->count - 1 - k : k];
+        all->count++;
+    }
     return MT_OK;
 }
 
-/* The narrowest first, of equal ones the first. */
-static int compare_widths(const void *p, const void *q) {
-    const mt_width *a = p, *b = q;
-    return a->width != b->width ? (a->width > b->width) - (a->width < b->width) : a->hole - b->hole;
+/* Whether more than half of a region lies on ink. */
+static mt_status lies_on_ink(const mt_rings *region, const mt_rings *ink, int64_t ink_area2, mt_arena *arena,
+                             bool *lies) {
+    mt_arena_place before = mt_arena_mark(arena);
+    mt_shape both;
+    mt_rings all = {0, mt_arena_new(arena, (size_t)(region->count + ink->count), sizeof(mt_ring))};
+    if (!all.rings) return MT_NO_MEMORY;
+    mt_status status = add_rings(region, true, arena, &all);
+    if (status == MT_OK) status = add_rings(ink, false, arena, &all);
+    if (status == MT_OK) status = mt_union_unmarked(&all, MT_NONZERO, arena, &both);
+    int64_t white = -mt_component_area2(region);
+    if (status == MT_OK) *lies = 2 * (white + ink_area2 - mt_shape_area2(&both)) > white;
+    mt_arena_rewind(arena, before);
+    return status;
 }
 
-static void take(mt_ring_tree *t, const mt_width *narrow, mt_white *white) {
-    for (int i = 0; i < t->count; i++) t->gone[i] |= i == narrow->hole || t->home[i] == narrow->hole;
-    white->regions[white->count++] = narrow->region;
-    white->ring_count += narrow->region.count;
+static mt_status region_of(const mt_ring_tree *t, int hole, mt_arena *arena, mt_rings *region) {
+    *region = (mt_rings){0, mt_arena_new(arena, (size_t)t->count, sizeof(mt_ring))};
+    if (!region->rings) return MT_NO_MEMORY;
+    region->rings[region->count++] = *t->rings[hole];
+    for (int i = 0; i < t->count; i++)
+        if (t->home[i] == hole) region->rings[region->count++] = *t->rings[i];
+    return MT_OK;
 }
 
-static mt_status find_white(const mt_shape *shape, int most, mt_arena *arena, mt_white *white) {
+static void take(mt_ring_tree *t, int hole, const mt_rings *region, mt_white *white) {
+    for (int i = 0; i < t->count; i++) t->gone[i] |= i == hole || t->home[i] == hole;
+    white->regions[white->count++] = *region;
+    white->ring_count += region->count;
+}
+
+static mt_status find_regions(mt_ring_tree *t, const mt_rings *ink, mt_arena *arena, mt_white *white) {
+    int64_t ink_area2 = 0;
+    mt_status status = MT_OK;
+    for (int i = 0; i < ink->count; i++) ink_area2 += mt_ring_area2(&ink->rings[i]);
+    for (int i = 0; status == MT_OK && i < t->count; i++) {
+        mt_rings region;
+        bool lies = false;
+        if (!t->hole[i]) continue;
+        status = region_of(t, i, arena, &region);
+        if (status == MT_OK) status = lies_on_ink(&region, ink, ink_area2, arena, &lies);
+        if (status == MT_OK && lies) take(t, i, &region, white);
+    }
+    return status;
+}
+
+/* The rings of `shape`, scaled from its box into another. */
+static mt_status scaled_rings(const mt_shape *shape, mt_box into, mt_arena *arena, mt_rings *rings) {
+    mt_box box = mt_shape_box(shape);
+    double width = fmax(1, mt_box_width(box)), height = fmax(1, mt_box_height(box));
+    mt_rings own;
+    mt_status status = mt_shape_rings(shape, arena, &own);
+    *rings = (mt_rings){0, mt_arena_new(arena, (size_t)own.count, sizeof(mt_ring))};
+    if (status == MT_OK && !rings->rings) status = MT_NO_MEMORY;
+    if (status == MT_OK) status = add_rings(&own, false, arena, rings);
+    for (int i = 0; status == MT_OK && i < rings->count; i++)
+        for (int k = 0; k < rings->rings[i].count; k++) {
+            mt_point *p = &rings->rings[i].points[k];
+            p->x = into.min.x + (int32_t)lround((p->x - box.min.x) / width * mt_box_width(into));
+            p->y = into.min.y + (int32_t)lround((p->y - box.min.y) / height * mt_box_height(into));
+        }
+    return status;
+}
+
+mt_status mt_find_white(const mt_shape *shape, const mt_shape *ink, mt_arena *arena, mt_white *white) {
     mt_ring_tree t;
+    mt_rings on;
+    *white = (mt_white){0};
     mt_status status = list_rings(shape, arena, &t);
+    if (status == MT_OK) status = scaled_rings(ink, mt_shape_box(shape), arena, &on);
     if (status != MT_OK) return status;
-    int holes = 0;
     mt_rings rest = {0, mt_arena_new(arena, (size_t)t.count + 1, sizeof(mt_ring))};
-    mt_width *widths = mt_arena_new(arena, (size_t)t.count + 1, sizeof *widths);
     white->regions = mt_arena_new(arena, (size_t)t.count + 1, sizeof(mt_rings));
-    if (!rest.rings || !widths || !white->regions) return MT_NO_MEMORY;
-    for (int i = 0; status == MT_OK && i < t.count; i++)
-        if (t.hole[i]) status = region_of(&t, i, arena, &widths[holes++]);
-    if (status != MT_OK) return status;
-    qsort(widths, (size_t)holes, sizeof *widths, compare_widths);
-    for (int i = 0; i < holes && i < most && widths[i].width <= mt_grid_units(WHITE_MOST); i++)
-        take(&t, &widths[i], white);
+    if (!rest.rings || !white->regions) return MT_NO_MEMORY;
+    status = find_regions(&t, &on, arena, white);
     for (int i = 0; i < t.count; i++)
         if (!t.gone[i]) rest.rings[rest.count++] = *t.rings[i];
-    return white->count > 0 ? mt_union(&rest, MT_NONZERO, arena, &white->filled) : MT_OK;
-}
-
-static int hole_count(const mt_shape *shape) {
-    return mt_shape_ring_count(shape) - shape->count;
-}
-
-mt_status mt_find_white(const mt_shape *a, const mt_shape *b, mt_arena *arena, mt_white *white) {
-    int more = hole_count(a) - hole_count(b);
-    *white = (mt_white){.in_a = more > 0};
-    return more != 0 ? find_white(more > 0 ? a : b, abs(more), arena, white) : MT_OK;
+    return status == MT_OK && white->count > 0 ? mt_union(&rest, MT_NONZERO, arena, &white->filled) : status;
 }

@@ -33,6 +33,8 @@
 typedef struct mt_trials {
     int count;
     mt_morph *morphs; /* as they were joined */
+    bool white_known;
+    mt_white white[2]; /* A's and B's, once it is known */
 } mt_trials;
 
 /* ---- one set of settings ---------------------------------------------------------------------------------------------- */
@@ -123,25 +125,39 @@ static mt_morph placed(const mt_morph *morph, const mt_registered *registered, m
     return made;
 }
 
+static mt_status find_white(const mt_morph *morph, mt_arena *arena, mt_trials *trials) {
+    mt_status status = MT_OK;
+    if (!trials->white_known)
+        status = mt_find_white(&morph->a.shape, &morph->b.shape, arena, &trials->white[0]);
+    if (status == MT_OK && !trials->white_known)
+        status = mt_find_white(&morph->b.shape, &morph->a.shape, arena, &trials->white[1]);
+    trials->white_known = true;
+    return status;
+}
+
+static bool has_white(const mt_trials *trials) {
+    return trials->white[0].count + trials->white[1].count > 0;
+}
+
 static mt_status try_all(const mt_morph *morph, const mt_hints *hints, const mt_params *params,
                          mt_trials *trials, mt_choice *choice) {
     mt_arena *arena = choice->best.arena;
     mt_alignment_cache *cache = mt_arena_new(arena, 1, sizeof *cache);
     mt_registered registered;
     mt_onlooker *onlooker;
-    mt_white white;
     if (!cache) return MT_NO_MEMORY;
     mt_settings first = mt_settings_at(0, params);
     first.cache = cache;
     mt_status status = mt_register(&morph->a, &morph->b, params->lean, &first, arena, &registered);
     if (status == MT_OK) status = mt_look_at_ends(morph, arena, &onlooker);
-    if (status == MT_OK) status = mt_find_white(&morph->a.shape, &morph->b.shape, arena, &white);
     for (int i = 0; status == MT_OK && i < mt_settings_count(); i++) {
         mt_settings settings = mt_settings_at(i, params);
         if (choice->right || choice->best.effort <= 0) break;
-        if (!registered.applies[settings.placing] || (settings.fills && white.count == 0)) continue;
+        if (!registered.applies[settings.placing]) continue;
+        if (settings.fills) status = find_white(morph, arena, trials);
+        if (status != MT_OK || (settings.fills && !has_white(trials))) continue;
         settings.cache = cache;
-        mt_join_context context = {hints, params, settings, settings.fills ? &white : NULL};
+        mt_join_context context = {hints, params, settings, settings.fills ? trials->white : NULL};
         mt_morph matched = placed(morph, &registered, settings.placing);
         status = try_settings(&matched, &context, onlooker, trials, choice);
     }
@@ -149,7 +165,7 @@ static mt_status try_all(const mt_morph *morph, const mt_hints *hints, const mt_
 }
 
 mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
-    mt_trials trials = {0, mt_arena_new(arena, (size_t)mt_settings_count(), sizeof(mt_morph))};
+    mt_trials trials = {.morphs = mt_arena_new(arena, (size_t)mt_settings_count(), sizeof(mt_morph))};
     mt_choice choice = {
         {morph, params, arena, {.parts = INT_MAX, .ink = INFINITY}, MT_EFFORT}, INFINITY, false};
     if (!trials.morphs) return MT_NO_MEMORY;

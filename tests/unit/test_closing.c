@@ -1,6 +1,8 @@
+#include "geometry/enclosed.h"
 #include "geometry/limits.h"
 #include "geometry/white.h"
 #include "morph/join/closing.h"
+#include "morph/join/spine.h"
 #include "support/check.h"
 #include "support/polygons.h"
 
@@ -85,35 +87,101 @@ static void white_ends_in_the_ink(void **state) {
     }
 }
 
-/* An O with an inline: three holes and an island against one hole. The inline is narrow and filled, the counter is not. */
+/* An O with an inline: the inline lies on the other O's ink, and the counter on its counter. */
 static void inlines_are_filled_and_counters_are_not(void **state) {
     (void)state;
     mt_ring outer[] = {box(0, 0, 600, 700, false), box(80, 80, 440, 540, true)},
             inner[] = {box(110, 110, 380, 480, false), box(200, 200, 200, 300, true)},
-            plain[] = {box(0, 0, 600, 700, false), box(200, 200, 200, 300, true)};
+            plain[] = {box(50, 0, 300, 350, false), box(150, 100, 100, 150, true)};
     mt_component inlined[] = {{2, outer}, {2, inner}}, solid = {2, plain};
     mt_shape a = {2, inlined}, b = {1, &solid};
     mt_white white;
     mt_assert_ok(mt_find_white(&a, &b, &arena, &white));
-    assert_true(white.in_a && white.count == 1 && white.ring_count == 2);
+    assert_true(white.count == 1 && white.ring_count == 2);
     assert_int_equal(white.filled.count, 1);
     assert_int_equal(white.filled.components[0].count, 2);
-    assert_int_equal(mt_shape_area2(&white.filled), mt_shape_area2(&b));
+    assert_int_equal(mt_shape_area2(&white.filled), 4 * mt_shape_area2(&b));
     mt_assert_ok(mt_find_white(&b, &a, &arena, &white));
-    assert_true(!white.in_a && white.count == 1);
-    mt_assert_ok(mt_find_white(&b, &b, &arena, &white));
+    assert_int_equal(white.count, 0);
+    mt_assert_ok(mt_find_white(&a, &a, &arena, &white));
     assert_int_equal(white.count, 0);
 }
 
-/* A wide counter that only one side has is no inline. */
-static void wide_white_stays(void **state) {
+/* A cross of white in a square of ink closes as a line along both arms, which the other square's ink moves with it. */
+static void branched_white_closes_on_its_spine(void **state) {
     (void)state;
-    mt_ring open[] = {box(0, 0, 600, 700, false)},
-            closed[] = {box(0, 0, 600, 700, false), box(150, 150, 300, 400, true)};
-    mt_component one = {1, open}, two = {2, closed};
-    mt_white white;
-    mt_assert_ok(mt_find_white(&(mt_shape){1, &two}, &(mt_shape){1, &one}, &arena, &white));
-    assert_int_equal(white.count, 0);
+    const int cross[][2] = {{250, 100}, {250, 250}, {100, 250}, {100, 350}, {250, 350}, {250, 500},
+                            {350, 500}, {350, 350}, {500, 350}, {500, 250}, {350, 250}, {350, 100}};
+    mt_ring white = mt_test_ring_of(&arena, cross, 12, UNIT), around = box(0, 0, 600, 600, false);
+    for (int i = 0; i < white.count; i++) white.marks[i] = MT_CORNER | MT_LINE;
+    mt_params params = mt_params_default();
+    mt_closing closing = {true, moving(&around, 30, 70), NULL, &params};
+    mt_contour_pair made[1];
+    int count = 0;
+    bool far_left = false, far_up = false;
+    mt_assert_ok(mt_close_region(&(mt_rings){1, &white}, &closing, &arena, made, &count));
+    assert_int_equal(count, 1);
+    for (int i = 0; i < made[0].b.count; i++) {
+        mt_point end = made[0].b.segments[i].end;
+        assert_true(abs(end.x - 330 * UNIT) <= 25 * UNIT || abs(end.y - 370 * UNIT) <= 25 * UNIT);
+        far_left |= end.x < 200 * UNIT;
+        far_up |= end.y > 500 * UNIT;
+    }
+    assert_true(far_left && far_up);
+}
+
+/* ---- spines ------------------------------------------------------------------------------------------------- */
+
+static mt_outline lines_of(const mt_component *component, bool left) {
+    mt_outline outline = {component->count,
+                          mt_arena_new(&arena, (size_t)component->count, sizeof(mt_contour))};
+    for (int r = 0; r < component->count; r++) {
+        const mt_ring *ring = &component->rings[r];
+        mt_contour *contour = &outline.contours[r];
+        *contour = (mt_contour){ring->count, mt_arena_new(&arena, (size_t)ring->count, sizeof(mt_segment))};
+        for (int i = 0; i < ring->count; i++)
+            contour->segments[i] =
+                (mt_segment){.degree = 1, .end = ring->points[left ? i : ring->count - 1 - i]};
+    }
+    return outline;
+}
+
+static mt_rings nodes_of(const mt_outline *outline) {
+    mt_rings rings = mt_test_rings(&arena, outline->count);
+    for (int r = 0; r < outline->count; r++) {
+        rings.rings[r] = mt_test_ring(&arena, outline->contours[r].count);
+        for (int i = 0; i < outline->contours[r].count; i++)
+            rings.rings[r].points[i] = outline->contours[r].segments[i].end;
+    }
+    return rings;
+}
+
+/* Open, the contours are the region's own, with nodes on one another; shut, they enclose nothing. */
+static void spines_enclose_nothing(void **state) {
+    (void)state;
+    for (int n = 0; n < mt_test_cases(200); n++) {
+        mt_random random = mt_random_case(n);
+        mt_arena_place before = mt_arena_mark(&arena);
+        mt_polygon_kind kind = (mt_polygon_kind)(n % MT_POLYGON_CELLS);
+        mt_component region = mt_random_polygon(&random, &arena, kind, 40, MT_EM / 2);
+        mt_outline drawn = lines_of(&region, n & 1), open, shut;
+        double area;
+        mt_assert_ok(mt_spine_of(&drawn, n & 1, &arena, &open, &shut));
+        mt_rings closed = nodes_of(&shut);
+        mt_assert_ok(mt_enclosed_area(&closed, &arena, &area));
+        assert_true(area < 1); /* the measure is rounded */
+        for (int r = 0; r < drawn.count; r++) {
+            int k = 0;
+            assert_int_equal(open.contours[r].count, shut.contours[r].count);
+            for (int i = 0; i < open.contours[r].count; i++) {
+                if (!mt_point_equal(open.contours[r].segments[i].end, drawn.contours[r].segments[k].end)) k++;
+                assert_true(
+                    mt_point_equal(open.contours[r].segments[i].end, drawn.contours[r].segments[k].end));
+            }
+            assert_int_equal(k, drawn.contours[r].count - 1);
+        }
+        mt_arena_rewind(&arena, before);
+    }
 }
 
 int main(void) {
@@ -121,7 +189,8 @@ int main(void) {
         cmocka_unit_test(a_bar_ends_on_its_middle_line),
         cmocka_unit_test(white_ends_in_the_ink),
         cmocka_unit_test(inlines_are_filled_and_counters_are_not),
-        cmocka_unit_test(wide_white_stays),
+        cmocka_unit_test(branched_white_closes_on_its_spine),
+        cmocka_unit_test(spines_enclose_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, tear_down);
 }

@@ -177,35 +177,48 @@ static int compare_contours(const void *p, const void *q) {
     return x != 0 ? (x > 0) - (x < 0) : (y > 0) - (y < 0);
 }
 
-/* ---- narrow white ---------------------------------------------------------------------------------------------- */
+/* ---- white ----------------------------------------------------------------------------------------------------- */
 
-/* Appends the white that was filled: it closes, carried by all contours. */
-static mt_status open_white(mt_morph *m, const mt_white *white, const mt_params *params, mt_arena *arena) {
-    mt_contour_pair *all = mt_arena_new(arena, (size_t)(m->contour_count + white->ring_count), sizeof *all);
-    if (!all) return MT_NO_MEMORY;
-    for (int i = 0; i < m->contour_count; i++) all[i] = m->contours[i];
-    mt_side *own = white->in_a ? &m->a : &m->b, *other = white->in_a ? &m->b : &m->a;
-    mt_closing closing = {.in_a = white->in_a, .ink = &other->whole, .params = params};
-    mt_status status = mt_carrier_of(m->contours, m->contour_count, white->in_a, own->box, other->box, arena,
-                                     &closing.carrier);
-    m->contours = all;
+/* Appends the white of one side that was filled: it closes, carried by all contours so far. */
+static mt_status open_white(mt_morph *m, const mt_white *white, bool in_a, const mt_params *params,
+                            mt_arena *arena) {
+    mt_side *own = in_a ? &m->a : &m->b, *other = in_a ? &m->b : &m->a;
+    mt_closing closing = {.in_a = in_a, .ink = &other->whole, .params = params};
+    mt_status status =
+        mt_carrier_of(m->contours, m->contour_count, in_a, own->box, other->box, arena, &closing.carrier);
     for (int i = 0; status == MT_OK && i < white->count; i++)
         status = mt_close_region(&white->regions[i], &closing, arena, m->contours, &m->contour_count);
     return status;
 }
 
-/* Narrow white that one side has more of than the other is filled first, and laid over the contours again. */
+static int64_t white_area2(const mt_white *white) {
+    int64_t area2 = 0;
+    for (int i = 0; i < white->count; i++) area2 -= mt_component_area2(&white->regions[i]);
+    return area2;
+}
+
+/* The side with more white first: the other's opens beside the lines that it closes on. */
+static mt_status open_all_white(mt_morph *m, const mt_join_context *context, mt_arena *arena) {
+    const mt_white *a = &context->white[0], *b = &context->white[1];
+    bool a_first = white_area2(a) >= white_area2(b);
+    size_t rings = (size_t)m->contour_count + (size_t)a->ring_count + (size_t)b->ring_count;
+    mt_contour_pair *all = mt_arena_new(arena, rings, sizeof *all);
+    if (!all) return MT_NO_MEMORY;
+    for (int i = 0; i < m->contour_count; i++) all[i] = m->contours[i];
+    m->contours = all;
+    mt_status status = open_white(m, a_first ? a : b, a_first, context->params, arena);
+    return status == MT_OK ? open_white(m, a_first ? b : a, !a_first, context->params, arena) : status;
+}
+
+/* White that lies on the other's ink is filled first, and laid over the contours again. */
 static mt_status join_filled(mt_morph *m, const mt_join_context *context, mt_arena *arena) {
-    const mt_white *white = context->white;
-    if (white->in_a)
-        m->a.shape = white->filled;
-    else
-        m->b.shape = white->filled;
+    if (context->white[0].count > 0) m->a.shape = context->white[0].filled;
+    if (context->white[1].count > 0) m->b.shape = context->white[1].filled;
     mt_status status = mt_match_sides(m, context->params, arena);
     if (status == MT_OK) status = join_all(m, context, arena);
     if (status != MT_OK) return status;
     bool drawn = all_aligned(&m->a) && all_aligned(&m->b); /* over sums of pieces, white would not be seen */
-    return drawn ? open_white(m, white, context->params, arena) : MT_BAD_GEOMETRY;
+    return drawn ? open_all_white(m, context, arena) : MT_BAD_GEOMETRY;
 }
 
 mt_status mt_joint(mt_morph *morph, const mt_join_context *context, mt_arena *arena) {

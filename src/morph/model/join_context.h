@@ -9,5 +9,5 @@ typedef struct mt_join_context {
     const mt_hints *hints; /* not NULL */
     const mt_params *params;
     mt_settings settings;
-    const mt_white *white; /* that is filled, and opened again; NULL: none */
+    const mt_white *white; /* A's and B's, both filled, and opened again; NULL: none */
 } mt_join_context;

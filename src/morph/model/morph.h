@@ -22,7 +22,7 @@ typedef struct mt_links {
 typedef struct mt_side {
     mt_shape whole; /* as it was drawn */
     mt_shape
-        shape; /* its components; MT_METHOD_JOINT cuts them where the other side has several, and may fill narrow white */
+        shape; /* its components; MT_METHOD_JOINT cuts them where the other side has several, and may fill white */
     mt_box box;     /* of the shape: the paper's minimum rectangle */
     mt_frame frame; /* in which its places are seen where boundaries are compared */
     bool *aligned;  /* of each component: it is morphed by contours, not by links */

@@ -24,7 +24,7 @@ enum { MT_PLACINGS = MT_LEANING + 1 };
 
 typedef struct mt_settings {
     mt_placing placing;
-    bool fills;                /* narrow white that one side has more of is filled first (join/white.h) */
+    bool fills;                /* white that lies on the other's ink is filled first (geometry/white.h) */
     mt_cost_weights align;     /* of two rings (align/align.h) */
     mt_cost_weights match;     /* of a ring with the other side's boundary (divide/ring_matching.h) */
     double step;               /* between neighbouring samples of a boundary at most, 1/1000 em */
