@@ -9,13 +9,10 @@ mt_status mt_inks_open(mt_font *font, mt_arena *arena, mt_inks *inks) {
 }
 
 static bool is_blank(mt_inks *inks, uint32_t glyph) {
-    mt_arena arena = {0};
-    mt_outline outline;
-    double advance;
-    mt_status status = mt_font_outline(inks->font, glyph, &arena, &outline, &advance);
-    if (status == MT_NO_MEMORY) inks->status = status;
-    mt_arena_release(&arena);
-    return status == MT_OK && outline.count == 0;
+    bool blank;
+    mt_status status = mt_font_is_blank(inks->font, glyph, &blank);
+    if (status != MT_OK) inks->status = status;
+    return blank;
 }
 
 bool mt_inks_blank(mt_inks *inks, uint32_t glyph) {

@@ -85,6 +85,8 @@ bool mt_font_is_symbol(const mt_font *font);
  * glyph any more: every later call is MT_NO_MEMORY. Not for two threads at once. */
 mt_status mt_font_outline(mt_font *font, uint32_t glyph, mt_arena *arena, mt_outline *outline,
                           double *advance);
+/* Whether an outline that can be read has no contour of more than one point. MT_NO_MEMORY. */
+mt_status mt_font_is_blank(mt_font *font, uint32_t glyph, bool *blank);
 
 /* The advance alone, grid units; also of a glyph whose outline cannot be read. MT_NO_MEMORY, MT_BAD_GLYPH. Not for two
  * threads at once. */

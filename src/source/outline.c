@@ -170,3 +170,31 @@ mt_status mt_font_outline(mt_font *font, uint32_t glyph, mt_arena *arena, mt_out
     *advance = (double)wanted.advance * MT_EM / font->units;
     return MT_OK;
 }
+
+static bool is_blank(const FT_Outline *drawn) {
+    for (int c = 0, i = 0; c < drawn->n_contours; c++)
+        for (int first = i; i <= drawn->contours[c]; i++)
+            if (drawn->points[i].x != drawn->points[first].x || drawn->points[i].y != drawn->points[first].y)
+                return false;
+    return true;
+}
+
+static mt_status is_composed_blank(mt_font *font, const mt_composed *composed, bool *blank) {
+    mt_arena arena = {0};
+    mt_outline outline;
+    mt_status status = mt_composed_outline(font, composed, &arena, &outline);
+    *blank = status == MT_OK && outline.count == 0;
+    mt_arena_release(&arena);
+    return status;
+}
+
+mt_status mt_font_is_blank(mt_font *font, uint32_t glyph, bool *blank) {
+    mt_load wanted = {.glyph = glyph};
+    const mt_composed *composed = mt_font_composed(font, glyph);
+    *blank = false;
+    if (!font->face) return MT_NO_MEMORY;
+    mt_status status =
+        composed ? is_composed_blank(font, composed, blank) : mt_font_guard(font, load, &wanted);
+    if (!composed && status == MT_OK) *blank = is_blank(&font->face->glyph->outline);
+    return status == MT_NO_MEMORY ? status : MT_OK;
+}
