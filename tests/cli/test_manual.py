@@ -57,11 +57,13 @@ class Pages(cli.Test):
 
 
 class Examples(cli.Test):
-    """Each example of each page, with the demo fonts."""
+    """Each example of each page, with the demo fonts and our own models."""
 
     def test_examples(self):
         shutil.copy(cli.DEMO_SANS, self.path('A.ttf'))
         shutil.copy(cli.DEMO_SERIF, self.path('B.otf'))
+        for model in (cli.SOURCE / 'solids').glob('*.obj'):
+            shutil.copy(model, self.path(model.name))
         for command in COMMANDS:
             lines = re.findall(r'^ +(morphotype .*)$', read(PAGES / f'morphotype-{command}.1').partition('EXAMPLES')[2], flags=re.M)
             self.assertTrue(lines, command)
