@@ -237,27 +237,52 @@ static mt_status find_points(mt_arena *arena, const mt_cells *cells, mt_part *pa
     return MT_OK;
 }
 
-mt_status mt_part_of(mt_arena *arena, const mt_cells *cells, int cell, mt_part *part) {
+/* Whether a wall bounds the cells, and from which side: 1 when they are behind it, -1 when in front, 0 when not. */
+static int bounds(const mt_wall *wall, int cell, int other) {
+    bool behind = wall->behind == cell || (other >= 0 && wall->behind == other);
+    bool in_front = wall->in_front == cell || (other >= 0 && wall->in_front == other);
+    return behind - in_front;
+}
+
+mt_status mt_part_of(mt_arena *arena, const mt_cells *cells, int cell, int other, mt_part *part) {
     mt_part made = {0};
     int n = 0;
-    for (int w = 0; w < cells->n_walls; w++)
-        n += cells->walls[w].behind == cell || cells->walls[w].in_front == cell;
+    for (int w = 0; w < cells->n_walls; w++) n += bounds(&cells->walls[w], cell, other) != 0;
+    if (n == 0) return MT_BAD_GEOMETRY;
     made.triangles = mt_arena_new(arena, (size_t)n, sizeof *made.triangles);
     made.walls = mt_arena_new(arena, (size_t)n, sizeof *made.walls);
+    made.turned = mt_arena_new(arena, (size_t)n, sizeof *made.turned);
     made.twins = mt_arena_new(arena, 3 * (size_t)n, sizeof *made.twins);
-    if (!made.triangles || !made.walls || !made.twins) return MT_NO_MEMORY;
+    if (!made.triangles || !made.walls || !made.turned || !made.twins) return MT_NO_MEMORY;
     for (int w = 0; w < cells->n_walls; w++) {
-        const mt_wall *wall = &cells->walls[w];
-        const int *at = wall->at;
-        if (wall->behind != cell && wall->in_front != cell) continue;
-        made.triangles[made.n_triangles] = wall->behind == cell ? (mt_triangle){{at[0], at[1], at[2]}}
-                                                                : (mt_triangle){{at[0], at[2], at[1]}};
+        const int *at = cells->walls[w].at;
+        int side = bounds(&cells->walls[w], cell, other);
+        if (side == 0) continue;
+        made.triangles[made.n_triangles] =
+            side > 0 ? (mt_triangle){{at[0], at[1], at[2]}} : (mt_triangle){{at[0], at[2], at[1]}};
+        made.turned[made.n_triangles] = side < 0;
         made.walls[made.n_triangles++] = w;
     }
     mt_status status = find_twins(arena, cells, &made);
     if (status == MT_OK) status = find_points(arena, cells, &made);
     if (status == MT_OK) *part = made;
     return status;
+}
+
+mt_plane mt_part_plane(const mt_cells *cells, const mt_part *part, int triangle) {
+    mt_plane plane = cells->planes[cells->walls[part->walls[triangle]].plane];
+    return part->turned[triangle] ? (mt_plane){-plane.x, -plane.y, -plane.z, -plane.offset} : plane;
+}
+
+void mt_cells_merge(mt_cells *cells, int cell, int other) {
+    int kept = 0;
+    for (int w = 0; w < cells->n_walls; w++) {
+        mt_wall wall = cells->walls[w];
+        if (wall.behind == other) wall.behind = cell;
+        if (wall.in_front == other) wall.in_front = cell;
+        if (wall.behind != wall.in_front) cells->walls[kept++] = wall;
+    }
+    cells->n_walls = kept;
 }
 
 /* ---- shells -------------------------------------------------------------------------------------------- */
@@ -290,6 +315,12 @@ static double volume6(const mt_part *part, int t, mt_vector3 from) {
     mt_vector3 a = mt_minus3(part->places[at[0]], from), b = mt_minus3(part->places[at[1]], from),
                c = mt_minus3(part->places[at[2]], from);
     return mt_dot3(a, mt_cross3(b, c));
+}
+
+double mt_part_volume(const mt_part *part) {
+    double sum = 0;
+    for (int t = 0; t < part->n_triangles; t++) sum += volume6(part, t, part->places[0]);
+    return sum / 6;
 }
 
 /* The share of the sphere around p that shell k fills, 1 within it (A. van Oosterom, J. Strackee, "The solid angle of a plane
@@ -330,7 +361,7 @@ static void renumber(mt_cells *cells, int wall, int from, int to) {
 static mt_status separate(mt_cells *cells, int cell, mt_arena *scratch) {
     mt_part part;
     int n_shells;
-    mt_status status = mt_part_of(scratch, cells, cell, &part);
+    mt_status status = mt_part_of(scratch, cells, cell, -1, &part);
     if (status != MT_OK) return status;
     int *shell = find_shells(scratch, &part, &n_shells);
     double *volumes = mt_arena_new(scratch, (size_t)n_shells, sizeof *volumes);

@@ -38,18 +38,28 @@ typedef struct mt_part {
     mt_triangle *triangles;
     int *
         twins; /* of edge 3 t + i, from corner i of triangle t to the next: the edge along it the other way */
-    int *walls; /* of each triangle */
+    int *walls;   /* of each triangle */
+    bool *turned; /* of each triangle: the part is in front of its wall */
 } mt_part;
 
 /* The cells of a solid: its components, one each. Triangles that rounding to the grid leaves without area are gone. MT_BAD_GEOMETRY
  * when nothing is left, MT_NO_MEMORY. */
 mt_status mt_cells_of(mt_arena *arena, const mt_mesh *mesh, mt_cells *cells);
 
-/* MT_BAD_GEOMETRY when the walls around it do not close, MT_NO_MEMORY. */
-mt_status mt_part_of(mt_arena *arena, const mt_cells *cells, int cell, mt_part *part);
+/* A cell, or two as if they were one (`other`, or else -1). MT_BAD_GEOMETRY when the walls around it do not close, MT_NO_MEMORY. */
+mt_status mt_part_of(mt_arena *arena, const mt_cells *cells, int cell, int other, mt_part *part);
+
+/* The volume of a part, grid units. */
+double mt_part_volume(const mt_part *part);
+
+/* The plane of a triangle of a part: its normal leads out. */
+mt_plane mt_part_plane(const mt_cells *cells, const mt_part *part, int triangle);
 
 /* Whether a part is a ball: in one piece, without a tunnel or a hollow. */
 bool mt_part_is_ball(const mt_part *part);
+
+/* Takes out the walls between two cells; `other` is no more. */
+void mt_cells_merge(mt_cells *cells, int cell, int other);
 
 /* Gives the parts of a cell that have become disjoint numbers of their own. Hollows stay with the part around them. MT_BAD_GEOMETRY,
  * MT_NO_MEMORY. */

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "solid/queue.h"
 #include "space/vector.h"
 
 static int after(int edge) {
@@ -68,71 +69,40 @@ static mt_status find_ridges(mt_arena *arena, mt_piece *piece) {
 
 /* ---- shortest ways ------------------------------------------------------------------------------------- */
 
-typedef struct mt_reached {
-    double length;
-    int point;
-} mt_reached;
-
 typedef struct mt_search {
     const mt_part *part;
     int *leaving; /* of each point: an edge that starts there */
     double *length;
     int *by, *round; /* of each point: the edge that led there; the search that reached it */
     int rounds;
-    mt_reached *heap;
-    int n_heap, heap_room;
+    mt_queue queue; /* of points */
     mt_arena *arena;
 } mt_search;
-
-static bool is_nearer(mt_reached p, mt_reached q) {
-    return p.length != q.length ? p.length < q.length : p.point < q.point;
-}
-
-static mt_status push(mt_search *s, mt_reached item) {
-    s->heap = mt_arena_grow_list(s->arena, s->heap, s->n_heap, &s->heap_room, sizeof *s->heap);
-    if (!s->heap) return MT_NO_MEMORY;
-    int i = s->n_heap++;
-    for (; i > 0 && is_nearer(item, s->heap[(i - 1) / 2]); i = (i - 1) / 2) s->heap[i] = s->heap[(i - 1) / 2];
-    s->heap[i] = item;
-    return MT_OK;
-}
-
-static mt_reached pop(mt_search *s) {
-    mt_reached top = s->heap[0], last = s->heap[--s->n_heap];
-    int i = 0;
-    for (int child; (child = 2 * i + 1) < s->n_heap; i = child) {
-        if (child + 1 < s->n_heap && is_nearer(s->heap[child + 1], s->heap[child])) child++;
-        if (!is_nearer(s->heap[child], last)) break;
-        s->heap[i] = s->heap[child];
-    }
-    s->heap[i] = last;
-    return top;
-}
 
 static mt_status reach(mt_search *s, int point, double length, int by) {
     if (s->round[point] == s->rounds && s->length[point] <= length) return MT_OK;
     s->round[point] = s->rounds;
     s->length[point] = length;
     s->by[point] = by;
-    return push(s, (mt_reached){length, point});
+    return mt_queue_push(&s->queue, s->arena, length, point);
 }
 
 static mt_status find_way(mt_search *s, mt_ridge *ridge, mt_arena *arena) {
     const mt_part *part = s->part;
     s->rounds++;
-    s->n_heap = 0;
+    s->queue.count = 0;
     mt_status status = reach(s, ridge->u, 0, -1);
-    while (status == MT_OK && s->n_heap > 0) {
-        mt_reached here = pop(s);
-        if (here.length > s->length[here.point]) continue;
-        if (here.point == ridge->v) break;
-        int e = s->leaving[here.point];
+    while (status == MT_OK && s->queue.count > 0) {
+        mt_queued here = mt_queue_pop(&s->queue);
+        if (here.cost > s->length[here.number]) continue;
+        if (here.number == ridge->v) break;
+        int e = s->leaving[here.number];
         do {
             int to = end_of(part, e);
-            double step = mt_length3(mt_minus3(part->places[to], part->places[here.point]));
-            if (status == MT_OK) status = reach(s, to, here.length + step, e);
+            double step = mt_length3(mt_minus3(part->places[to], part->places[here.number]));
+            if (status == MT_OK) status = reach(s, to, here.cost + step, e);
             e = part->twins[before(e)];
-        } while (e != s->leaving[here.point]);
+        } while (e != s->leaving[here.number]);
     }
     if (status != MT_OK) return status;
     if (s->round[ridge->v] != s->rounds) return MT_BAD_GEOMETRY; /* not in one piece */

@@ -141,28 +141,3 @@ mt_status mt_hull_volume(const mt_vector3 *points, int n, double *volume) {
     *volume = 0;
     return MT_OK;
 }
-
-/* ---- as triangles -------------------------------------------------------------------------------------- */
-
-mt_status mt_polytope_mesh(mt_arena *arena, const mt_vector3 *points, int n, const mt_polytope *hull,
-                           mt_mesh *mesh) {
-    int *number = mt_arena_new(arena, (size_t)n, sizeof *number); /* of each point in the mesh, from 1 */
-    mt_mesh made = {.points = mt_arena_new(arena, (size_t)hull->n_corners, sizeof(mt_vector3)),
-                    .triangles = mt_arena_new(arena, (size_t)hull->n_corners, sizeof(mt_triangle))};
-    if (!number || !made.points || !made.triangles) return MT_NO_MEMORY;
-    for (int f = 0; f < hull->n_facets; f++) {
-        const mt_hull_facet *facet = &hull->facets[f];
-        for (int i = 0; i < facet->n_corners; i++) {
-            int p = facet->corners[i];
-            if (number[p]) continue;
-            made.points[made.n_points++] = points[p];
-            number[p] = made.n_points;
-        }
-        for (int i = 1; i + 1 < facet->n_corners; i++)
-            made.triangles[made.n_triangles++] =
-                (mt_triangle){{number[facet->corners[0]] - 1, number[facet->corners[i]] - 1,
-                               number[facet->corners[i + 1]] - 1}};
-    }
-    *mesh = made;
-    return MT_OK;
-}

@@ -25,7 +25,3 @@ mt_status mt_polytope_around(mt_arena *arena, const mt_vector3 *points, int n, m
 
 /* The volume of the hull; 0 for points in a plane. MT_NO_MEMORY. */
 mt_status mt_hull_volume(const mt_vector3 *points, int n, double *volume);
-
-/* The hull as triangles. Only the points at corners are kept. MT_NO_MEMORY. */
-mt_status mt_polytope_mesh(mt_arena *arena, const mt_vector3 *points, int n, const mt_polytope *hull,
-                           mt_mesh *mesh);
