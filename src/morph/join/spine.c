@@ -25,7 +25,7 @@ typedef struct mt_border_edge {
 
 typedef struct mt_spine {
     bool left;
-    mt_mesh mesh;
+    mt_half_edges mesh;
     mt_vector *middles; /* of the mesh's vertices */
     int *end_of;        /* of each triangle: the diagonal behind which it is an end; -1: it is in none */
     int border_count;
@@ -69,12 +69,12 @@ static int compare_edges(const void *p, const void *q) {
     return from ? from : compare_points(a->to, b->to);
 }
 
-static mt_point start_of(const mt_mesh *mesh, int e) {
+static mt_point start_of(const mt_half_edges *mesh, int e) {
     return mesh->points[mesh->start[e]];
 }
 
 static mt_status list_border(mt_spine *s) {
-    const mt_mesh *mesh = &s->mesh;
+    const mt_half_edges *mesh = &s->mesh;
     int edges = 3 * mesh->triangle_count;
     s->border = mt_arena_new(s->arena, (size_t)edges, sizeof *s->border);
     if (!s->border) return MT_NO_MEMORY;
@@ -96,13 +96,13 @@ typedef struct mt_end {
 } mt_end;
 
 typedef struct mt_end_search {
-    const mt_mesh *mesh;
+    const mt_half_edges *mesh;
     int *stack, *seen; /* seen[triangle]: the search that was there last */
     int number;
 } mt_end_search;
 
 /* Whether a place is no further from the middle of a diagonal than three quarters of its length. */
-static bool is_around(const mt_mesh *mesh, int diagonal, mt_point p) {
+static bool is_around(const mt_half_edges *mesh, int diagonal, mt_point p) {
     mt_point a = start_of(mesh, diagonal), b = start_of(mesh, mt_mesh_after(diagonal));
     int64_t x = 2 * (int64_t)p.x - a.x - b.x, y = 2 * (int64_t)p.y - a.y - b.y;
     return 4 * (x * x + y * y) <= 9 * mt_distance2(a, b);
@@ -110,7 +110,7 @@ static bool is_around(const mt_mesh *mesh, int diagonal, mt_point p) {
 
 /* The triangles behind a diagonal, on the stack; 0 where they are no end. */
 static int triangles_behind(mt_end_search *search, int diagonal) {
-    const mt_mesh *mesh = search->mesh;
+    const mt_half_edges *mesh = search->mesh;
     int count = 1, before = mesh->twin[diagonal] / 3;
     search->number++;
     search->stack[0] = diagonal / 3;
@@ -180,7 +180,7 @@ static mt_point crossing(const mt_spine *s, int e) {
     return rounded((p.x + q.x) / 2, (p.y + q.y) / 2);
 }
 
-static bool is_branching(const mt_mesh *mesh, int triangle) {
+static bool is_branching(const mt_half_edges *mesh, int triangle) {
     const int *twin = &mesh->twin[3 * triangle];
     return twin[0] >= 0 && twin[1] >= 0 && twin[2] >= 0;
 }
@@ -202,7 +202,7 @@ static int add_place(mt_point place, mt_point *places, int count) {
 /* The places of the spine around a node, from the border edge that leaves it with the region to the left, to the one that arrives.
  * `places` has room for six times the triangles: each of their edges has two. */
 static int places_around(const mt_spine *s, int border, mt_point *places) {
-    const mt_mesh *mesh = &s->mesh;
+    const mt_half_edges *mesh = &s->mesh;
     int count = 0;
     for (int e = border;;) {
         int arriving = mt_mesh_after(mt_mesh_after(e));
