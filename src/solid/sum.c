@@ -38,6 +38,11 @@ typedef struct mt_known_way {
     bool known;
 } mt_known_way;
 
+/* A parallelogram: an edge of x times an edge of y, so many times; with either edge the other way it is inside out. */
+typedef struct mt_side_face {
+    int x, y, times; /* edges of both surfaces, of each and its twin the lower */
+} mt_side_face;
+
 typedef struct mt_summing {
     const mt_piece *x, *y;
     mt_arena *arena;
@@ -48,6 +53,8 @@ typedef struct mt_summing {
     int *leaving;               /* of x's points: an edge that starts there */
     int *weights, *net, *stack; /* of y's triangles; of its edges; of its triangles */
     bool *seen;
+    int n_sides, sides_room;
+    mt_side_face *sides;
     int n_corners, corners_room;
     uint64_t *corners; /* of the triangles made: x's point, then y's in the lower half */
 } mt_summing;
@@ -214,16 +221,43 @@ static mt_status add_parallelogram(mt_summing *s, int p, int q, int y, int z) {
     return status == MT_OK ? add_triangle(s, (int[]){q, p, q}, (int[]){y, z, z}) : status;
 }
 
-static mt_status add_parallelograms(mt_summing *s) {
-    const mt_part *x = &s->x->part, *y = &s->y->part;
+static mt_status add_side(mt_summing *s, int x, int y) {
+    int back_x = s->x->part.twins[x], back_y = s->y->part.twins[y];
+    s->sides = mt_arena_grow_list(s->arena, s->sides, s->n_sides, &s->sides_room, sizeof *s->sides);
+    if (!s->sides) return MT_NO_MEMORY;
+    s->sides[s->n_sides++] = (mt_side_face){x < back_x ? x : back_x, y < back_y ? y : back_y,
+                                            (x < back_x) == (y < back_y) ? 1 : -1};
+    return MT_OK;
+}
+
+static mt_status find_sides(mt_summing *s) {
+    const mt_part *x = &s->x->part;
     mt_status status = MT_OK;
     int f, g;
     for (int e = 0; e < 3 * x->n_triangles; e++) {
         if (!changes(s, e, &f, &g) || f > g) continue;
         mt_way way = slot_of(s, f, g)->way;
-        for (int i = 0; status == MT_OK && i < way.n_steps; i++)
-            status = add_parallelogram(s, start_of(x, e), end_of(x, e), start_of(y, way.steps[i]),
-                                       end_of(y, way.steps[i]));
+        for (int i = 0; status == MT_OK && i < way.n_steps; i++) status = add_side(s, e, way.steps[i]);
+    }
+    return status;
+}
+
+static int by_edges(const void *p, const void *q) {
+    const mt_side_face *x = p, *y = q;
+    return x->x != y->x ? (x->x > y->x) - (x->x < y->x) : (x->y > y->y) - (x->y < y->y);
+}
+
+static mt_status add_parallelograms(mt_summing *s) {
+    const mt_part *x = &s->x->part, *y = &s->y->part;
+    mt_status status = MT_OK;
+    if (s->n_sides > 0) qsort(s->sides, (size_t)s->n_sides, sizeof *s->sides, by_edges);
+    for (int i = 0, end; i < s->n_sides; i = end) {
+        int times = 0, e = s->sides[i].x, step = s->sides[i].y;
+        for (end = i; end < s->n_sides && by_edges(&s->sides[end], &s->sides[i]) == 0; end++)
+            times += s->sides[end].times;
+        int p = times > 0 ? start_of(x, e) : end_of(x, e), q = times > 0 ? end_of(x, e) : start_of(x, e);
+        for (int k = 0; status == MT_OK && k < abs(times); k++)
+            status = add_parallelogram(s, p, q, start_of(y, step), end_of(y, step));
     }
     return status;
 }
@@ -321,35 +355,102 @@ static void balance(mt_share *shares, int n) {
     }
 }
 
-static mt_status add_share(mt_summing *s, mt_share share) {
-    const mt_part *y = &s->y->part;
+/* That a point of x has a triangle of y so many times. */
+typedef struct mt_holding {
+    int triangle, point, times;
+} mt_holding;
+
+static int by_triangle(const void *p, const void *q) {
+    const mt_holding *x = p, *y = q;
+    return x->triangle != y->triangle ? (x->triangle > y->triangle) - (x->triangle < y->triangle)
+                                      : (x->point > y->point) - (x->point < y->point);
+}
+
+/* All holdings, by triangles. */
+static mt_status find_holdings(mt_summing *s, mt_holding **holdings, int *n) {
+    mt_share *shares = mt_arena_new(s->arena, (size_t)s->x->part.n_points, sizeof *shares);
+    int n_shares = 0, room = 0;
+    *n = 0;
+    *holdings = NULL;
+    if (!shares) return MT_NO_MEMORY;
+    for (int p = 0; p < s->x->part.n_points; p++) {
+        if (go_around(s, p, 1)) shares[n_shares++] = share_of(s, p);
+        go_around(s, p, -1);
+    }
+    balance(shares, n_shares);
+    for (int i = 0; i < n_shares; i++) {
+        go_around(s, shares[i].point, 1);
+        count_turns(s, shares[i].at_first);
+        go_around(s, shares[i].point, -1);
+        for (int t = 0; t < s->y->part.n_triangles; t++) {
+            if (s->weights[t] == 0) continue;
+            *holdings = mt_arena_grow_list(s->arena, *holdings, *n, &room, sizeof **holdings);
+            if (!*holdings) return MT_NO_MEMORY;
+            (*holdings)[(*n)++] = (mt_holding){t, shares[i].point, s->weights[t]};
+        }
+    }
+    if (*n > 0) qsort(*holdings, (size_t)*n, sizeof **holdings, by_triangle);
+    return MT_OK;
+}
+
+/* A triangle of y that one point gives to another: its sides times the way between them, `times` times. */
+static mt_status hand_over(mt_summing *s, int triangle, int from, int to, int times) {
+    const mt_part *x = &s->x->part;
+    int *by =
+        mt_arena_new(s->arena, (size_t)x->n_points, sizeof *by); /* the edge that led to each point, from 1 */
+    int *line = mt_arena_new(s->arena, (size_t)x->n_points, sizeof *line);
+    int n = 0;
+    if (!by || !line) return MT_NO_MEMORY;
+    line[n++] = to;
+    for (int i = 0; i < n && line[i] != from; i++) {
+        int first = s->leaving[line[i]], e = first;
+        do {
+            if (!by[end_of(x, e)] && end_of(x, e) != to) {
+                by[end_of(x, e)] = e + 1;
+                line[n++] = end_of(x, e);
+            }
+            e = x->twins[before(e)];
+        } while (e != first);
+    }
     mt_status status = MT_OK;
-    int p = share.point, x[3] = {p, p, p};
-    count_turns(s, share.at_first);
-    for (int t = 0; status == MT_OK && t < y->n_triangles; t++) {
-        const int *at = y->triangles[t].at;
-        int back[3] = {at[0], at[2], at[1]};
-        for (int i = 0; status == MT_OK && i < s->weights[t]; i++) status = add_triangle(s, x, at);
-        for (int i = 0; status == MT_OK && i < -s->weights[t]; i++) status = add_triangle(s, x, back);
+    for (int p = from; p != to && status == MT_OK; p = start_of(x, by[p] - 1)) {
+        int step = x->twins[by[p] - 1]; /* from p on towards `to` */
+        for (int k = 0; status == MT_OK && k < 3 * abs(times); k++) {
+            int e = 3 * triangle + k % 3;
+            status = add_side(s, step, times > 0 ? e : s->y->part.twins[e]);
+        }
     }
     return status;
 }
 
-static mt_status add_facets_of_y(mt_summing *s) {
-    const mt_part *x = &s->x->part;
-    mt_share *shares = mt_arena_new(s->arena, (size_t)x->n_points, sizeof *shares);
-    mt_status status = MT_OK;
-    int n = 0;
-    if (!shares) return MT_NO_MEMORY;
-    for (int p = 0; p < x->n_points; p++) {
-        if (go_around(s, p, 1)) shares[n++] = share_of(s, p);
-        go_around(s, p, -1);
+/* The one point that is to have a triangle: of those that have it, the farthest in the direction of its facet. */
+static int owner_of(const mt_summing *s, const mt_holding *holdings, int n) {
+    mt_vector3 direction = s->y->hull.facets[s->y->facet_of[holdings[0].triangle]].normal;
+    int found = -1;
+    for (int i = 0; i < n; i++) {
+        const mt_vector3 *places = s->x->part.places;
+        bool farther = found < 0 || mt_dot3(direction, places[holdings[i].point]) >
+                                        mt_dot3(direction, places[holdings[found].point]);
+        if (holdings[i].times > 0 && farther) found = i;
     }
-    balance(shares, n);
-    for (int i = 0; status == MT_OK && i < n; i++) {
-        go_around(s, shares[i].point, 1);
-        status = add_share(s, shares[i]);
-        go_around(s, shares[i].point, -1);
+    return holdings[found].point;
+}
+
+/* Each triangle of y once. Where ways have crossed, several points have one, and another less than none of it: they give it to one. */
+static mt_status add_facets_of_y(mt_summing *s) {
+    mt_holding *holdings;
+    int n;
+    mt_status status = find_holdings(s, &holdings, &n);
+    for (int i = 0, end; status == MT_OK && i < n; i = end) {
+        int t = holdings[i].triangle;
+        for (end = i; end < n && holdings[end].triangle == t; end++) continue;
+        int owner = owner_of(s, holdings + i, end - i);
+        for (int k = i; status == MT_OK && k < end; k++)
+            if (holdings[k].point != owner) {
+                status = hand_over(s, t, holdings[k].point, owner, holdings[k].times);
+            }
+        if (status == MT_OK)
+            status = add_triangle(s, (int[]){owner, owner, owner}, s->y->part.triangles[t].at);
     }
     return status;
 }
@@ -402,8 +503,9 @@ mt_status mt_sum_of(mt_arena *arena, const mt_piece *x, const mt_piece *y, mt_su
     mt_status status = find_directions(&s);
     if (status == MT_OK) status = find_ways(&s);
     if (status == MT_OK) status = add_facets_of_x(&s);
-    if (status == MT_OK) status = add_parallelograms(&s);
+    if (status == MT_OK) status = find_sides(&s);
     if (status == MT_OK) status = add_facets_of_y(&s);
+    if (status == MT_OK) status = add_parallelograms(&s);
     if (status == MT_OK) status = number_corners(&s, &made);
     if (status == MT_OK) *sum = made;
     return status;
