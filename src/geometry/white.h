@@ -1,4 +1,4 @@
-/* White of one shape that lies on the ink of another: inlines, slits, the letter of a shadow face. */
+/* White of one drawing that has no counterpart in another: inlines, slits, the letter of a shadow face. */
 #pragma once
 
 #include "geometry/ring.h"
@@ -11,6 +11,6 @@ typedef struct mt_white {
     mt_shape filled; /* the shape with this white as ink */
 } mt_white;
 
-/* The regions of a shape that lie for more than half of their area on `ink`, which is scaled into the shape's box. The rings are the
- * shape's own. MT_NO_MEMORY, MT_TOO_LARGE. */
-mt_status mt_find_white(const mt_shape *shape, const mt_shape *ink, mt_arena *arena, mt_white *white);
+/* The white of two shapes, A's and B's, that has no counterpart in the other: each region goes with one that lies where it does, once B is
+ * scaled into A's box. The rings are the shapes' own. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_find_white(const mt_shape *a, const mt_shape *b, mt_arena *arena, mt_white white[2]);

@@ -32,9 +32,8 @@
 /* The settings that were tried. */
 typedef struct mt_trials {
     int count;
-    mt_morph *morphs; /* as they were joined */
-    bool white_known;
-    mt_white white[2]; /* A's and B's, once it is known */
+    mt_morph *morphs;  /* as they were joined */
+    mt_white white[2]; /* A's and B's without a counterpart */
 } mt_trials;
 
 /* ---- one set of settings ---------------------------------------------------------------------------------------------- */
@@ -125,20 +124,6 @@ static mt_morph placed(const mt_morph *morph, const mt_registered *registered, m
     return made;
 }
 
-static mt_status find_white(const mt_morph *morph, mt_arena *arena, mt_trials *trials) {
-    mt_status status = MT_OK;
-    if (!trials->white_known)
-        status = mt_find_white(&morph->a.shape, &morph->b.shape, arena, &trials->white[0]);
-    if (status == MT_OK && !trials->white_known)
-        status = mt_find_white(&morph->b.shape, &morph->a.shape, arena, &trials->white[1]);
-    trials->white_known = true;
-    return status;
-}
-
-static bool has_white(const mt_trials *trials) {
-    return trials->white[0].count + trials->white[1].count > 0;
-}
-
 static mt_status try_all(const mt_morph *morph, const mt_hints *hints, const mt_params *params,
                          mt_trials *trials, mt_choice *choice) {
     mt_arena *arena = choice->best.arena;
@@ -150,12 +135,12 @@ static mt_status try_all(const mt_morph *morph, const mt_hints *hints, const mt_
     first.cache = cache;
     mt_status status = mt_register(&morph->a, &morph->b, params->lean, &first, arena, &registered);
     if (status == MT_OK) status = mt_look_at_ends(morph, arena, &onlooker);
+    if (status == MT_OK) status = mt_find_white(&morph->a.shape, &morph->b.shape, arena, trials->white);
+    bool white = trials->white[0].count + trials->white[1].count > 0;
     for (int i = 0; status == MT_OK && i < mt_settings_count(); i++) {
         mt_settings settings = mt_settings_at(i, params);
         if (choice->right || choice->best.effort <= 0) break;
-        if (!registered.applies[settings.placing]) continue;
-        if (settings.fills) status = find_white(morph, arena, trials);
-        if (status != MT_OK || (settings.fills && !has_white(trials))) continue;
+        if (!registered.applies[settings.placing] || (settings.fills && !white)) continue;
         settings.cache = cache;
         mt_join_context context = {hints, params, settings, settings.fills ? trials->white : NULL};
         mt_morph matched = placed(morph, &registered, settings.placing);

@@ -87,24 +87,36 @@ static void white_ends_in_the_ink(void **state) {
     }
 }
 
-/* An O with an inline: the inline lies on the other O's ink, and the counter on its counter. */
+/* An O with an inline, wide, and a narrow one half as large: the counters go together, and the inline is left. */
 static void inlines_are_filled_and_counters_are_not(void **state) {
     (void)state;
     mt_ring outer[] = {box(0, 0, 600, 700, false), box(80, 80, 440, 540, true)},
             inner[] = {box(110, 110, 380, 480, false), box(200, 200, 200, 300, true)},
-            plain[] = {box(50, 0, 300, 350, false), box(150, 100, 100, 150, true)};
+            plain[] = {box(50, 0, 300, 350, false), box(100, 50, 200, 250, true)};
     mt_component inlined[] = {{2, outer}, {2, inner}}, solid = {2, plain};
     mt_shape a = {2, inlined}, b = {1, &solid};
-    mt_white white;
-    mt_assert_ok(mt_find_white(&a, &b, &arena, &white));
-    assert_true(white.count == 1 && white.ring_count == 2);
-    assert_int_equal(white.filled.count, 1);
-    assert_int_equal(white.filled.components[0].count, 2);
-    assert_int_equal(mt_shape_area2(&white.filled), 4 * mt_shape_area2(&b));
-    mt_assert_ok(mt_find_white(&b, &a, &arena, &white));
-    assert_int_equal(white.count, 0);
-    mt_assert_ok(mt_find_white(&a, &a, &arena, &white));
-    assert_int_equal(white.count, 0);
+    mt_white white[2];
+    mt_assert_ok(mt_find_white(&a, &b, &arena, white));
+    assert_true(white[0].count == 1 && white[0].ring_count == 2 && white[1].count == 0);
+    assert_int_equal(white[0].filled.count, 1);
+    assert_int_equal(white[0].filled.components[0].count, 2);
+    assert_true(mt_shape_area2(&white[0].filled) == 2 * (int64_t)(600 * 700 - 200 * 300) * UNIT * UNIT);
+    mt_assert_ok(mt_find_white(&b, &a, &arena, white));
+    assert_true(white[0].count == 0 && white[1].count == 1);
+    mt_assert_ok(mt_find_white(&a, &a, &arena, white));
+    assert_true(white[0].count == 0 && white[1].count == 0);
+}
+
+/* Counters in other places have none of each other. */
+static void counters_apart_have_no_counterpart(void **state) {
+    (void)state;
+    mt_ring left[] = {box(0, 0, 600, 600, false), box(50, 50, 200, 200, true)},
+            right[] = {box(0, 0, 600, 600, false), box(180, 180, 200, 200, true)};
+    mt_component one = {2, left}, two = {2, right};
+    mt_white white[2];
+    mt_assert_ok(mt_find_white(&(mt_shape){1, &one}, &(mt_shape){1, &two}, &arena, white));
+    assert_true(white[0].count == 1 && white[1].count == 1);
+    assert_true(mt_shape_area2(&white[1].filled) == 2 * (int64_t)600 * 600 * UNIT * UNIT);
 }
 
 /* A cross of white in a square of ink closes as a line along both arms, which the other square's ink moves with it. */
@@ -189,6 +201,7 @@ int main(void) {
         cmocka_unit_test(a_bar_ends_on_its_middle_line),
         cmocka_unit_test(white_ends_in_the_ink),
         cmocka_unit_test(inlines_are_filled_and_counters_are_not),
+        cmocka_unit_test(counters_apart_have_no_counterpart),
         cmocka_unit_test(branched_white_closes_on_its_spine),
         cmocka_unit_test(spines_enclose_nothing),
     };

@@ -134,7 +134,7 @@ static void structure(void **state) {
 
 /* ---- the joint method --------------------------------------------------------------------------------- */
 
-/* `filled`: what the parts may be of instead, with white that lies on the other's ink as ink; nothing where there is none. */
+/* `filled`: what the parts may be of instead, with white that has no counterpart as ink; nothing where there is none. */
 static void check_joint_side(const mt_side *side, const mt_shape *drawn, const mt_shape *filled) {
     assert_int_equal(side->whole.count, drawn->count);
     assert_true(mt_oracle_shape_area2(&side->whole) == mt_oracle_shape_area2(drawn));
@@ -173,11 +173,10 @@ static void aligned_components_have_no_pieces(void **state) {
         mt_shape a = mt_random_shape(&random, &arena, 3, 12, MT_EM / 2),
                  b = mt_random_shape(&random, &arena, 3, 12, MT_EM / 2);
         mt_morph morph = morph_of(a, b, &params);
-        mt_white white_a, white_b;
-        mt_assert_ok(mt_find_white(&a, &b, &arena, &white_a));
-        mt_assert_ok(mt_find_white(&b, &a, &arena, &white_b));
-        check_joint_side(&morph.a, &a, &white_a.filled);
-        check_joint_side(&morph.b, &b, &white_b.filled);
+        mt_white white[2];
+        mt_assert_ok(mt_find_white(&a, &b, &arena, white));
+        check_joint_side(&morph.a, &a, &white[0].filled);
+        check_joint_side(&morph.b, &b, &white[1].filled);
         check_joint_links(&morph);
         for (int i = 0; i < morph.contour_count; i++) {
             assert_true(morph.contours[i].a.count > 0);

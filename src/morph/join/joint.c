@@ -210,7 +210,7 @@ static mt_status open_all_white(mt_morph *m, const mt_join_context *context, mt_
     return status == MT_OK ? open_white(m, a_first ? b : a, !a_first, context->params, arena) : status;
 }
 
-/* White that lies on the other's ink is filled first, and laid over the contours again. */
+/* White without a counterpart is filled first, and laid over the contours again. */
 static mt_status join_filled(mt_morph *m, const mt_join_context *context, mt_arena *arena) {
     if (context->white[0].count > 0) m->a.shape = context->white[0].filled;
     if (context->white[1].count > 0) m->b.shape = context->white[1].filled;

@@ -5,10 +5,10 @@
 /* Columns: placing; whether white is filled; direction, distance and corner of an alignment, and of a ring match; the step; jumps.
  * The first settings weigh the distance of a ring match more than most, since a match can choose among all rings. The more an
  * alignment weighs the distance, the less it distinguishes corners from sides: strokes keep clear of each other, and are drawn
- * worse. Each row was taken because it gave other morphs than those before it, and better ones for some glyphs (docs/joining.md). */
+ * worse. Where white has no counterpart, to fill it comes first. Each row was taken because it gave other morphs than those before it, and better ones for some glyphs (docs/joining.md). */
 static const mt_settings settings[] = {
-    {MT_REGISTERED, false, {3, 4, 2}, {1, 4, 0}, 12, true, 0, NULL},
     {MT_REGISTERED, true, {3, 4, 2}, {1, 4, 0}, 12, true, 0, NULL},
+    {MT_REGISTERED, false, {3, 4, 2}, {1, 4, 0}, 12, true, 0, NULL},
     {MT_LAID, false, {3, 4, 2}, {1, 4, 0}, 12, true, 0, NULL},
     {MT_LAID, true, {3, 4, 2}, {1, 4, 0}, 12, true, 0, NULL},
     {MT_REGISTERED, false, {3, 32, 2}, {1, 1, 0}, 20, false, 0, NULL},

@@ -24,7 +24,7 @@ enum { MT_PLACINGS = MT_LEANING + 1 };
 
 typedef struct mt_settings {
     mt_placing placing;
-    bool fills;                /* white that lies on the other's ink is filled first (geometry/white.h) */
+    bool fills;                /* white without a counterpart is filled first (geometry/white.h) */
     mt_cost_weights align;     /* of two rings (align/align.h) */
     mt_cost_weights match;     /* of a ring with the other side's boundary (divide/ring_matching.h) */
     double step;               /* between neighbouring samples of a boundary at most, 1/1000 em */
@@ -33,6 +33,6 @@ typedef struct mt_settings {
     mt_alignment_cache *cache; /* alignments found before (align/cache.h); NULL: none are kept */
 } mt_settings;
 
-/* The settings that are tried for a glyph, one after the other. The first, 0, is best for most. */
+/* The settings that are tried for a glyph, one after the other. The first that apply are best for most. */
 int mt_settings_count(void);
 mt_settings mt_settings_at(int number, const mt_params *params);
