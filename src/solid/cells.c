@@ -20,6 +20,7 @@ static mt_status lay_grid(mt_cells *cells, const mt_mesh *mesh) {
     mt_vector3 low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
     for (int i = 0; i < mesh->n_points; i++) {
         mt_vector3 p = mesh->points[i];
+        if (!isfinite(p.x) || !isfinite(p.y) || !isfinite(p.z)) return MT_BAD_GEOMETRY;
         low = (mt_vector3){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
         high = (mt_vector3){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
     }
@@ -301,13 +302,11 @@ static int *find_shells(mt_arena *arena, const mt_part *part, int *n_shells) {
     return shell;
 }
 
-bool mt_part_is_ball(const mt_part *part) {
-    if (2 * part->n_points - part->n_triangles != 4) return false;
-    mt_arena scratch = {0};
+mt_status mt_part_is_ball(mt_arena *arena, const mt_part *part, bool *ball) {
     int n_shells;
-    bool whole = find_shells(&scratch, part, &n_shells) && n_shells == 1;
-    mt_arena_release(&scratch);
-    return whole;
+    if (!find_shells(arena, part, &n_shells)) return MT_NO_MEMORY;
+    *ball = n_shells == 1 && 2 * part->n_points - part->n_triangles == 4;
+    return MT_OK;
 }
 
 static double volume6(const mt_part *part, int t, mt_vector3 from) {

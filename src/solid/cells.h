@@ -55,8 +55,8 @@ double mt_part_volume(const mt_part *part);
 /* The plane of a triangle of a part: its normal leads out. */
 mt_plane mt_part_plane(const mt_cells *cells, const mt_part *part, int triangle);
 
-/* Whether a part is a ball: in one piece, without a tunnel or a hollow. */
-bool mt_part_is_ball(const mt_part *part);
+/* Whether a part is a ball: in one piece, without a tunnel or a hollow. MT_NO_MEMORY. */
+mt_status mt_part_is_ball(mt_arena *arena, const mt_part *part, bool *ball);
 
 /* Takes out the walls between two cells; `other` is no more. */
 void mt_cells_merge(mt_cells *cells, int cell, int other);

@@ -15,17 +15,20 @@
 #define PART_COST 0.002
 /* And a handle: a part that has one has to be cut again. */
 #define HANDLE_COST 0.3
+/* And what it is worth that all reflex edges lie in the plane, where they need no other cut. */
+#define RESOLVED_WORTH 0.05
 
 /* ---- one cell ------------------------------------------------------------------------------------------ */
 
-/* Whether a part is done. `found` is then the deepest place, or NULL with depth 0. */
+/* Whether a part is done; where it is not, `found` is a deep place. */
 static mt_status is_done(mt_arena *arena, const mt_cells *cells, const mt_part *part, double depth,
                          bool *done, mt_depth *found) {
     mt_polytope hull;
-    bool ball = mt_part_is_ball(part);
+    bool ball = false;
+    mt_status status = mt_part_is_ball(arena, part, &ball);
     *done = ball && mt_part_is_convex(cells, part);
-    if (*done) return MT_OK;
-    mt_status status = mt_polytope_around(arena, part->places, part->n_points, &hull);
+    if (status != MT_OK || *done) return status;
+    status = mt_polytope_around(arena, part->places, part->n_points, &hull);
     if (status == MT_OK) status = mt_part_depth(arena, part, &hull, depth, found);
     *done = status == MT_OK && ball && depth > 0 && found->distance <= depth;
     return status;
@@ -58,9 +61,10 @@ static mt_status cut_best(mt_arena *arena, mt_cells *cells, int cell, const mt_p
         status = mt_trial_of(part, &planes.planes[i], &trial);
         if (status != MT_OK) return status;
         if (trial.n_parts > 1)
-            ranked[n++] = (mt_ranked){
-                planes.planes[i],
-                trial.excess / volume + PART_COST * trial.n_parts + HANDLE_COST * trial.n_handles, i};
+            ranked[n++] = (mt_ranked){planes.planes[i],
+                                      trial.excess / volume + PART_COST * trial.n_parts +
+                                          HANDLE_COST * trial.n_handles - RESOLVED_WORTH * planes.resolved[i],
+                                      i};
     }
     qsort(ranked, (size_t)n, sizeof *ranked, by_cost);
     status = MT_BAD_GEOMETRY;

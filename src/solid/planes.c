@@ -101,11 +101,20 @@ static bool alike(const mt_plane *p, const mt_plane *q) {
                      mt_length3((mt_vector3){(double)q->x, (double)q->y, (double)q->z}))) < 2;
 }
 
+/* The share of the weight of all reflex edges that lies in each plane. */
+static void share(const mt_cells *cells, const mt_reflex *edges, int n, mt_planes *planes) {
+    double all = 0;
+    for (int i = 0; i < n; i++) all += edges[i].weight;
+    for (int i = 0; i < planes->count; i++) {
+        mt_weighed plane = {planes->planes[i], 0, i};
+        weigh(cells, edges, n, &plane);
+        planes->resolved[i] = all > 0 ? plane.weight / all : 0;
+    }
+}
+
 static mt_status add_edge_planes(mt_arena *arena, const mt_cells *cells, const mt_part *part,
-                                 mt_planes *planes) {
-    mt_reflex *edges;
-    int n = find_reflex(arena, cells, part, &edges), count = 0, kept = 0;
-    if (n < 0) return MT_NO_MEMORY;
+                                 const mt_reflex *edges, int n, mt_planes *planes) {
+    int count = 0, kept = 0;
     mt_weighed *all = mt_arena_new(arena, PER_EDGE * (size_t)n, sizeof *all);
     if (!all) return MT_NO_MEMORY;
     for (int i = 0; i < n; i++) {
@@ -167,12 +176,17 @@ static void add_deep(const mt_cells *cells, const mt_part *part, const mt_depth 
 
 mt_status mt_planes_for(mt_arena *arena, const mt_cells *cells, const mt_part *part, const mt_depth *depth,
                         mt_planes *planes) {
-    mt_planes made = {0, mt_arena_new(arena, KEPT + 3 * SLOTS + TURNS, sizeof(mt_plane))};
-    if (!made.planes) return MT_NO_MEMORY;
-    mt_status status = add_edge_planes(arena, cells, part, &made);
+    size_t room = KEPT + 3 * SLOTS + TURNS;
+    mt_planes made = {0, mt_arena_new(arena, room, sizeof(mt_plane)),
+                      mt_arena_new(arena, room, sizeof(double))};
+    mt_reflex *edges;
+    int n = find_reflex(arena, cells, part, &edges);
+    if (n < 0 || !made.planes || !made.resolved) return MT_NO_MEMORY;
+    mt_status status = add_edge_planes(arena, cells, part, edges, n, &made);
     if (status != MT_OK) return status;
     add_slots(part, &made);
     if (depth) add_deep(cells, part, depth, &made);
+    share(cells, edges, n, &made);
     *planes = made;
     return MT_OK;
 }

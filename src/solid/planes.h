@@ -6,6 +6,7 @@
 typedef struct mt_planes {
     int count;
     mt_plane *planes;
+    double *resolved; /* of each plane: the share of the reflex edges that lie in it, by length and angle */
 } mt_planes;
 
 /* The planes that hold most of the part's reflex edges: those of the triangles beside one, the one that halves the angle, those
