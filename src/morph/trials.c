@@ -29,6 +29,10 @@
 /* Up to here, an appearance is not improved on: a designer's own in-betweens of far corners score .4 to .7. */
 #define SCORE_GOOD 0.8
 
+/* The first settings, with white filled and as it is, are held against each other: where counters differ much, each may be right. Without
+ * white to fill the second are the first. */
+enum { ALWAYS = 2 };
+
 /* The settings that were tried. */
 typedef struct mt_trials {
     int count;
@@ -111,7 +115,8 @@ static mt_status try_settings(const mt_morph *matched, const mt_join_context *co
     choice->best.effort = tried.effort;
     double loss = mt_appearance_loss(score, tried.error.parts);
     bool right = tried.error.parts == 0 && score <= SCORE_GOOD;
-    if (status != MT_OK || (loss >= choice->loss && !right)) return status;
+    bool better = right == choice->right ? loss < choice->loss : right;
+    if (status != MT_OK || !better) return status;
     *choice = (mt_choice){tried, loss, right};
     return MT_OK;
 }
@@ -139,7 +144,7 @@ static mt_status try_all(const mt_morph *morph, const mt_hints *hints, const mt_
     bool white = trials->white[0].count + trials->white[1].count > 0;
     for (int i = 0; status == MT_OK && i < mt_settings_count(); i++) {
         mt_settings settings = mt_settings_at(i, params);
-        if (choice->right || choice->best.effort <= 0) break;
+        if ((choice->right && i >= ALWAYS) || choice->best.effort <= 0) break;
         if (!registered.applies[settings.placing] || (settings.fills && !white)) continue;
         settings.cache = cache;
         mt_join_context context = {hints, params, settings, settings.fills ? trials->white : NULL};
