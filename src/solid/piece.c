@@ -5,8 +5,12 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "solid/depth.h"
 #include "solid/queue.h"
 #include "space/vector.h"
+
+/* A way keeps near the ridge: what its points lie deep counts so many times. */
+#define DEPTH_COST 8.0
 
 static int after(int edge) {
     return edge % 3 == 2 ? edge - 2 : edge + 1;
@@ -29,6 +33,43 @@ static int end_of(const mt_part *part, int edge) {
 static int by_ends(const void *p, const void *q) {
     const mt_ridge *x = p, *y = q;
     return x->u != y->u ? (x->u > y->u) - (x->u < y->u) : (x->v > y->v) - (x->v < y->v);
+}
+
+/* Whether all corners of a facet are within rounding of a plane. */
+static bool is_in_plane(const mt_piece *piece, const mt_hull_facet *facet, const mt_hull_facet *plane) {
+    for (int i = 0; i < facet->n_corners; i++)
+        if (fabs(mt_dot3(plane->normal, piece->part.places[facet->corners[i]]) - plane->offset) >
+            MT_RISE_ROUNDED)
+            return false;
+    return true;
+}
+
+static int root_of(int *parent, int i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+/* Facets that are one but for rounding to the grid count as the first of them, and have no ridge between them. */
+static mt_status join_facets(mt_arena *arena, mt_piece *piece) {
+    const mt_polytope *hull = &piece->hull;
+    int kept = 0, *parent = mt_arena_new(arena, (size_t)hull->n_facets, sizeof *parent);
+    if (!parent) return MT_NO_MEMORY;
+    for (int f = 0; f < hull->n_facets; f++) parent[f] = f;
+    for (int i = 0; i < piece->n_ridges; i++) {
+        const mt_hull_facet *left = &hull->facets[piece->ridges[i].left],
+                            *right = &hull->facets[piece->ridges[i].right];
+        if (!is_in_plane(piece, left, right) || !is_in_plane(piece, right, left)) continue;
+        int p = root_of(parent, piece->ridges[i].left), q = root_of(parent, piece->ridges[i].right);
+        parent[p > q ? p : q] = p > q ? q : p;
+    }
+    for (int i = 0; i < piece->n_ridges; i++) {
+        mt_ridge ridge = piece->ridges[i];
+        ridge.left = root_of(parent, ridge.left);
+        ridge.right = root_of(parent, ridge.right);
+        if (ridge.left != ridge.right) piece->ridges[kept++] = ridge;
+    }
+    piece->n_ridges = kept;
+    return MT_OK;
 }
 
 static mt_status find_ridges(mt_arena *arena, mt_piece *piece) {
@@ -54,6 +95,8 @@ static mt_status find_ridges(mt_arena *arena, mt_piece *piece) {
         piece->ridges[piece->n_ridges] = all[i];
         piece->ridges[piece->n_ridges++].right = other->left;
     }
+    mt_status status = join_facets(arena, piece);
+    if (status != MT_OK) return status;
     int *next = piece->first_ridge + 1; /* where the next ridge of a point goes */
     for (int i = 0; i < piece->n_ridges; i++) {
         next[piece->ridges[i].u + 1]++;
@@ -71,7 +114,8 @@ static mt_status find_ridges(mt_arena *arena, mt_piece *piece) {
 
 typedef struct mt_search {
     const mt_part *part;
-    int *leaving; /* of each point: an edge that starts there */
+    const mt_hull_facet *left, *right; /* of the ridge at hand */
+    int *leaving;                      /* of each point: an edge that starts there */
     double *length;
     int *by, *round; /* of each point: the edge that led there; the search that reached it */
     int rounds;
@@ -87,6 +131,13 @@ static mt_status reach(mt_search *s, int point, double length, int by) {
     return mt_queue_push(&s->queue, s->arena, length, point);
 }
 
+/* How deep a point lies under the facets on both sides of the ridge. */
+static double depth_of(const mt_search *s, int point) {
+    mt_vector3 p = s->part->places[point];
+    return fmin(fabs(s->left->offset - mt_dot3(s->left->normal, p)),
+                fabs(s->right->offset - mt_dot3(s->right->normal, p)));
+}
+
 static mt_status find_way(mt_search *s, mt_ridge *ridge, mt_arena *arena) {
     const mt_part *part = s->part;
     s->rounds++;
@@ -100,7 +151,7 @@ static mt_status find_way(mt_search *s, mt_ridge *ridge, mt_arena *arena) {
         do {
             int to = end_of(part, e);
             double step = mt_length3(mt_minus3(part->places[to], part->places[here.number]));
-            if (status == MT_OK) status = reach(s, to, here.cost + step, e);
+            if (status == MT_OK) status = reach(s, to, here.cost + step + DEPTH_COST * depth_of(s, to), e);
             e = part->twins[before(e)];
         } while (e != s->leaving[here.number]);
     }
@@ -126,8 +177,11 @@ static mt_status find_ways(mt_arena *arena, mt_piece *piece) {
     if (!s.leaving || !s.length || !s.by || !s.round) return MT_NO_MEMORY;
     for (int e = 0; e < 3 * part->n_triangles; e++) s.leaving[start_of(part, e)] = e;
     mt_status status = MT_OK;
-    for (int i = 0; status == MT_OK && i < piece->n_ridges; i++)
+    for (int i = 0; status == MT_OK && i < piece->n_ridges; i++) {
+        s.left = &piece->hull.facets[piece->ridges[i].left];
+        s.right = &piece->hull.facets[piece->ridges[i].right];
         status = find_way(&s, &piece->ridges[i], arena);
+    }
     return status;
 }
 

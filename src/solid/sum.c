@@ -81,18 +81,18 @@ static int other_end(const mt_ridge *ridge, int point) {
     return ridge->u == point ? ridge->v : ridge->u;
 }
 
-static int farthest_in(const mt_piece *y, mt_vector3 direction, int from) {
-    for (int best = from;; from = best) {
-        double most = mt_dot3(direction, y->part.places[from]);
-        for (int i = y->first_ridge[from]; i < y->first_ridge[from + 1]; i++) {
-            int to = other_end(&y->ridges[y->ridges_at[i]], from);
-            double far = mt_dot3(direction, y->part.places[to]);
-            if (far <= most) continue;
-            most = far;
-            best = to;
-        }
-        if (best == from) return from;
+/* The corner of y's hull that is the farthest in a direction; the first of equals. */
+static int farthest_in(const mt_piece *y, mt_vector3 direction) {
+    int found = -1;
+    double most = -INFINITY;
+    for (int p = 0; p < y->part.n_points; p++) {
+        if (y->first_ridge[p] == y->first_ridge[p + 1]) continue;
+        double far = mt_dot3(direction, y->part.places[p]);
+        if (far <= most) continue;
+        most = far;
+        found = p;
     }
+    return found;
 }
 
 static mt_status find_directions(mt_summing *s) {
@@ -101,11 +101,10 @@ static mt_status find_directions(mt_summing *s) {
     s->directions = mt_arena_new(s->arena, (size_t)hull->n_facets, sizeof *s->directions);
     s->farthest = mt_arena_new(s->arena, (size_t)hull->n_facets, sizeof *s->farthest);
     if (!s->directions || !s->farthest) return MT_NO_MEMORY;
-    int from = s->y->hull.facets[0].corners[0];
     for (int f = 0; f < hull->n_facets; f++) {
         mt_vector3 normal = hull->facets[f].normal;
         s->directions[f] = mt_plus3(normal, mt_times3(TURN, mt_cross3(axis, normal)));
-        s->farthest[f] = from = farthest_in(s->y, s->directions[f], from);
+        s->farthest[f] = farthest_in(s->y, s->directions[f]);
     }
     return MT_OK;
 }
@@ -144,16 +143,38 @@ static mt_status append_ridge(mt_summing *s, mt_way *way, int *room, int ridge, 
     return MT_OK;
 }
 
+/* The rest of the way, over as few ridges as there can be: where facets are parallel but for rounding, the walk may end beside its goal. */
+static mt_status append_rest(mt_summing *s, mt_way *way, int *room, int from, int to) {
+    const mt_piece *y = s->y;
+    int *by = mt_arena_new(s->arena, (size_t)y->part.n_points,
+                           sizeof *by); /* the ridge that led to each point, from 1 */
+    int *line = mt_arena_new(s->arena, (size_t)y->part.n_points, sizeof *line), n = 0;
+    if (!by || !line) return MT_NO_MEMORY;
+    line[n++] = to;
+    for (int i = 0; i < n && line[i] != from; i++)
+        for (int k = y->first_ridge[line[i]]; k < y->first_ridge[line[i] + 1]; k++) {
+            int next = other_end(&y->ridges[y->ridges_at[k]], line[i]);
+            if (by[next] || next == to) continue;
+            by[next] = y->ridges_at[k] + 1;
+            line[n++] = next;
+        }
+    mt_status status = MT_OK;
+    for (int p = from; status == MT_OK && p != to; p = other_end(&y->ridges[by[p] - 1], p))
+        status = by[p] ? append_ridge(s, way, room, by[p] - 1, y->ridges[by[p] - 1].u == p) : MT_BAD_GEOMETRY;
+    return status;
+}
+
 /* The way from the point of f to that of g, over the points in between that are the farthest in between. Each step leads farther in the
  * direction of g, so it ends. */
 static mt_status find_way(mt_summing *s, int f, int g, mt_way *way) {
     int here = s->farthest[f], room = 0;
     mt_status status = MT_OK;
-    for (int ridge; status == MT_OK && (ridge = next_ridge(s, f, g, here)) >= 0;) {
+    for (int ridge; status == MT_OK && here != s->farthest[g] && (ridge = next_ridge(s, f, g, here)) >= 0;) {
         status = append_ridge(s, way, &room, ridge, s->y->ridges[ridge].u == here);
         here = other_end(&s->y->ridges[ridge], here);
     }
-    return status == MT_OK && here != s->farthest[g] ? MT_BAD_GEOMETRY : status;
+    return status == MT_OK && here != s->farthest[g] ? append_rest(s, way, &room, here, s->farthest[g])
+                                                     : status;
 }
 
 static mt_known_way *slot_of(const mt_summing *s, int f, int g) {
