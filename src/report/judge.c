@@ -82,12 +82,12 @@ bool mt_report_ink_in_range(const mt_report_glyph *glyph) {
 
 /* ---- the judgement ------------------------------------------------------------------------------------- */
 
-/* To a hundredth: what is less is rounding, and nothing to sort by. */
+/* To a hundredth, downwards, so that what is flagged has a reason: what is less is nothing to sort by. */
 static double severity_of(const mt_report_glyph *glyph) {
     double score = 0;
     if (glyph->status != MT_OK) return FAILED_SEVERITY;
     for (int i = 0; i < MT_REPORT_STEPS; i++) score = fmax(score, mt_appearance_score(&glyph->seen[i]));
-    return round(100 * mt_appearance_loss(score, parts_of(glyph))) / 100;
+    return floor(100 * mt_appearance_loss(score, parts_of(glyph))) / 100;
 }
 
 /* Whether a flag tells why. Counts do where they are out of range, and what an eye minds where it is too much by itself. */
