@@ -45,6 +45,22 @@ class Morph(cli.Test):
         for a, b in zip(glb.at(0.3), points, strict=True):
             self.assertLess(math.dist(a, b), 1e-5)
 
+    def test_nodes_turn(self):
+        """Formula (5): at each key the nodes bring the mesh to where the mesh at that place is."""
+        turn = ('--rotate', '200', '--about', '1,2,-2')
+        self.made('solid', BLOCK, GOBLET, '-q', *turn, '--duration', '3', '--yoyo', '-o', 'x.glb')
+        glb = meshes.Glb(self.path('x.glb').read_bytes())
+        channels = glb.channels()
+        self.assertEqual([round(time, 5) for time, _ in channels[1, 'weights']], [0, 1, 2, 3, 4, 5, 6])
+        self.made('solid', BLOCK, GOBLET, '-q', *turn, '--at', '0,0.3333333333333333,0.6666666666666666,1', '-o', 'x.obj')
+        for key, name in ((1, '0.3333333333333333'), (2, '0.6666666666666666'), (5, '0.3333333333333333')):
+            (_, (weight,)), (_, back) = (channels[1, path][key] for path in ('weights', 'translation'))
+            (_, moved), (_, quaternion) = (channels[0, path][key] for path in ('translation', 'rotation'))
+            points = meshes.read(self.path(f'x-{name}.obj'))[0]
+            for place, wanted in zip(glb.at(weight), points, strict=True):
+                place = meshes.turned([p + b for p, b in zip(place, back)], quaternion)
+                self.assertLess(math.dist([p + m for p, m in zip(place, moved)], wanted), 1e-4)
+
     def test_turned_ends_are_the_sources_too(self):
         self.made('solid', BLOCK, GOBLET, '-q', '--rotate', '-90', '--at', '0,1,0.999999', '-o', 'x.off')
         for place, source in (('0', BLOCK), ('1', GOBLET)):
@@ -183,7 +199,7 @@ class Data(cli.Test):
 
     def test_beside_another_output(self):
         result = self.run_program('solid', BLOCK, GOBLET, '--json', '--rotate', '30', '-o', 'x.ply')
-        self.assertEqual(json.loads(result.stdout)['format'], 'morphotype solid')
+        self.assertEqual(json.loads(result.stdout)['rotation'], {'degrees': 30, 'axis': [0, 1, 0]})
         self.assertTrue(self.path('x.ply').exists())
         self.assertEqual(self.made('solid', BLOCK, GOBLET, '-o', 'x.json'), [])
         self.assertEqual(json.loads(self.path('x.json').read_text())['format'], 'morphotype solid')
