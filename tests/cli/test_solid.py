@@ -159,7 +159,7 @@ class Pictures(cli.Test):
         self.assertEqual(len({inner_row[i:i + 3] for inner_row in inner for i in range(0, len(inner_row), 3)}), 1)
 
     def test_a_hole_is_seen_through(self):
-        image = self.picture(BLOCK, GOBLET, '--at', '0', '--size', '100', '--view', '0,90')
+        image = self.picture(BLOCK, GOBLET, '--at', '0', '--size', '100', '--view', '0,0')
         middle = image.rows[image.height // 2][3 * (image.width // 2):][:3]
         self.assertEqual(bytes(middle), b'\xff\xff\xff')
 
