@@ -4,6 +4,7 @@
 #include "messages.h"
 #include "motion/gif.h"
 #include "motion/output.h"
+#include "sources.h"
 #include "work.h"
 
 #include <errno.h>
@@ -131,11 +132,19 @@ static int animate(const cli_options *options, const key_frames *keys) {
     return outcome;
 }
 
+/* Whether files with numbers are written: as many as steps, or a number that the frames will tell. */
+static bool is_numbered(const cli_options *options) {
+    mt_motion_format format;
+    return options->steps || (mt_motion_format_of(options->output, &format) && format == MT_MOTION_PNG);
+}
+
 static int run(cli_options *options) {
     key_frames keys;
     int outcome = check(options);
     if (outcome == DONE && !options->steps) outcome = output_check(options->output);
     if (outcome == DONE && options->steps) outcome = directory_check(options->output);
+    if (outcome == DONE && is_numbered(options))
+        outcome = sources_spare_numbered(options, options->output, options->steps);
     if (outcome != DONE) return outcome;
     outcome = key_frames_open(options, &keys);
     if (outcome == DONE) outcome = animate(options, &keys);

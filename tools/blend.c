@@ -3,6 +3,7 @@
 #include "messages.h"
 #include "outputs.h"
 #include "save/save.h"
+#include "sources.h"
 #include "work.h"
 
 #include <stdio.h>
@@ -28,11 +29,12 @@ static int save(cli_work *work, const outputs *named) {
     return DONE;
 }
 
-static int check_outputs(const outputs *named) {
+static int check_outputs(const cli_options *options, const outputs *named) {
     int outcome = DONE;
     for (int i = 0; outcome == DONE && i < named->count; i++) {
         mt_status status = mt_save_check(named->paths[i]);
         outcome = status == MT_OK ? directory_check(named->paths[i]) : fail_status(named->paths[i], status);
+        if (outcome == DONE) outcome = sources_spare(options, named->paths[i]);
     }
     return outcome;
 }
@@ -44,7 +46,7 @@ static int make(cli_work *work, const outputs *named) {
 
 static int blend(cli_options *options, const outputs *named) {
     cli_work work;
-    int outcome = check_outputs(named);
+    int outcome = check_outputs(options, named);
     if (outcome != DONE) return outcome;
     outcome = work_begin(options, &work);
     if (outcome == DONE) outcome = make(&work, named);

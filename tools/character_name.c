@@ -103,13 +103,21 @@ static bool is_hidden(hb_unicode_general_category_t category) {
     }
 }
 
+static const struct unseen *find_unseen(uint32_t code_point) {
+    return bsearch(&code_point, unseen, sizeof unseen / sizeof *unseen, sizeof *unseen, compare);
+}
+
+bool character_is_seen(uint32_t code_point) {
+    if (code_point == ' ') return true;
+    return !find_unseen(code_point) && !selector_number(code_point) && !is_hidden(category_of(code_point));
+}
+
 void character_describe(uint32_t code_point, char *text, size_t room) {
     char utf8[5] = "";
     unsigned long number = code_point;
     hb_unicode_general_category_t category = category_of(code_point);
     int selector = selector_number(code_point);
-    const struct unseen *row =
-        bsearch(&code_point, unseen, sizeof unseen / sizeof *unseen, sizeof *unseen, compare);
+    const struct unseen *row = find_unseen(code_point);
     if (row)
         snprintf(text, room, "U+%04lX %s", number, row->name);
     else if (selector)

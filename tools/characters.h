@@ -41,3 +41,5 @@ void characters_describe(characters *set, int most, char *text, size_t room);
  * its name: U+200D ZERO WIDTH JOINER. */
 enum { CHARACTER_NAME_ROOM = 64 };
 void character_describe(uint32_t code_point, char *text, size_t room);
+/* Whether a reader sees it as itself: no control, format or private use character, no variation selector, no blank but a space. */
+bool character_is_seen(uint32_t code_point);

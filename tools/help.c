@@ -18,7 +18,7 @@ const char *const program_paragraphs = "A FONT is FILE[#FACE][@AXIS=VALUE,...][:
 
 const exit_code exit_codes[] = {
     {DONE, "done"},
-    {COULD_NOT, "could not, and nothing was written"},
+    {COULD_NOT, "could not, and nothing was written; or report --fail-on found flagged glyphs"},
     {WRONG_USAGE, "wrong usage"},
     {0},
 };

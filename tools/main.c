@@ -2,15 +2,21 @@
 #include "commands.h"
 #include "help.h"
 #include "messages.h"
+#include "sources.h"
 #include "suggest.h"
 
 #include <stdio.h>
 #include <string.h>
 
+static int obey(const cli_command *command, cli_options *options) {
+    int outcome = options->output ? sources_spare(options, options->output) : DONE;
+    return outcome == DONE ? command->run(options) : outcome;
+}
+
 static int run(const cli_command *command, int argc, char **argv) {
     cli_options options;
     int outcome = options_read(command, argc, argv, &options);
-    if (outcome < 0) outcome = command->run(&options);
+    if (outcome < 0) outcome = obey(command, &options);
     options_free(&options);
     return outcome;
 }

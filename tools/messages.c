@@ -1,30 +1,44 @@
 #include "messages.h"
 
 #include "base/utf.h"
+#include "characters.h"
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 #define LINE_MAX_BYTES 16384
 
-/* Puts a question mark for each control character and for each byte that is no UTF-8: names of files and of glyphs hold any. */
-static void make_printable(char *line) {
-    for (char *at = line; *at;) {
+/* Copies a line: what cannot be seen as <U+200D>, a byte that is no UTF-8 as <0xFF>, since names of files and of glyphs hold any. What
+ * no longer fits is left out. */
+static void make_printable(const char *line, char *text, size_t room) {
+    size_t used = 0;
+    for (const char *at = line; *at;) {
+        char one[16] = "";
         const char *next = at;
         uint32_t code_point;
         bool good = mt_utf8_next(&next, &code_point);
-        bool is_control = good && (code_point < ' ' || (code_point >= 0x7f && code_point < 0xa0));
-        char *end = good ? at + (next - at) : at + 1;
-        for (char *p = at; (!good || is_control) && p < end; p++) *p = '?';
-        at = end;
+        if (!good) {
+            snprintf(one, sizeof one, "<0x%02X>", (unsigned char)*at);
+            next = at + 1;
+        } else if (character_is_seen(code_point))
+            strncat(one, at, (size_t)(next - at));
+        else
+            snprintf(one, sizeof one, "<U+%04lX>", (unsigned long)code_point);
+        size_t length = strlen(one);
+        if (used + length >= room) break;
+        memcpy(text + used, one, length);
+        used += length;
+        at = next;
     }
+    text[used] = '\0';
 }
 
 static void say_line(const char *format, va_list list, const char *end) {
-    char line[LINE_MAX_BYTES];
+    char line[LINE_MAX_BYTES], text[LINE_MAX_BYTES];
     vsnprintf(line, sizeof line, format, list);
-    make_printable(line);
-    fprintf(stderr, "morphotype: %s%s\n", line, end);
+    make_printable(line, text, sizeof text);
+    fprintf(stderr, "morphotype: %s%s\n", text, end);
 }
 
 void say(const char *format, ...) {

@@ -4,7 +4,8 @@
 /* Exit codes. */
 enum { DONE = 0, COULD_NOT = 1, WRONG_USAGE = 2 };
 
-/* Says one line, in UTF-8. Control characters and other bytes (a file name may hold any) become question marks. */
+/* Says one line, in UTF-8. Characters that cannot be seen stand there as <U+200D>, other bytes (a file name may hold any) as
+ * <0xFF>. */
 __attribute__((format(printf, 1, 2))) void say(const char *format, ...);
 
 /* Says it and gives COULD_NOT. */

@@ -48,6 +48,8 @@ const option_row option_rows[] = {
     {'i', false, "depth", "X", NULL, "how far pieces may leave their hulls, of the diagonal (0.001 ... 0.5)"},
     {'u', false, "about", "x|y|z|X,Y,Z", NULL, "the axis of --rotate; y without it"},
     {'W', false, "view", "TURN,TILT", NULL, "from where pictures look, degrees; -30,25 without it"},
+    {'B', false, "fail-on", "REASON[,REASON...]|N", "failed components holes strays clots ink",
+     "exit with 1 if a glyph is flagged for one of these, or if N or more are flagged"},
     {'S', false, "strict", NULL, NULL, "a glyph that cannot be blended is an error, not a line on stderr"},
     {'M', false, "method", "joint|paper", NULL, "align boundaries where it goes, or map pieces throughout"},
     {'T', false, "tolerance", "E", NULL, "flattening error bound, 1/1000 em (0.05 ... 10)"},

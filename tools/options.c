@@ -7,11 +7,13 @@
 #include "messages.h"
 #include "numbers.h"
 #include "picture/picture.h"
+#include "report/report.h"
 #include "sfnt/axis_map.h"
 #include "sfnt/axis_names.h"
 #include "suggest.h"
 
 #include <getopt.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -148,6 +150,20 @@ static int read_styles(cli_options *options, const char *argument) {
     return GO_ON;
 }
 
+static int refuse_axis(const cli_options *options, const char *argument) {
+    static const char *const registered[] = {"wght", "wdth", "slnt", "ital", "opsz"};
+    char tag[SUGGEST_MOST + 1] = "", hint[SUGGEST_ROOM];
+    strncat(tag, argument, SUGGEST_MOST);
+    tag[strcspn(tag, "=")] = '\0';
+    suggestion nearest = suggest_for(tag);
+    for (size_t i = 0; i < sizeof registered / sizeof *registered; i++) suggest(&nearest, registered[i]);
+    if (nearest.distance == 0) nearest.word = NULL; /* the numbers are wrong */
+    return misuse(options->command,
+                  "--axis %s: TAG=FROM..TO is wanted, such as wght=400..900: a registered tag or four "
+                  "capitals, and two numbers that the axis may have%s",
+                  argument, suggest_text(&nearest, "", hint));
+}
+
 /* TAG=FROM..TO */
 static int read_axis(cli_options *options, const char *argument) {
     char from[32] = "";
@@ -157,11 +173,7 @@ static int read_axis(cli_options *options, const char *argument) {
     if (whole) strncat(from, is + 1, (size_t)(dots - is) - 1);
     whole = whole && number_read(from, &axis.from) && number_read(dots + 2, &axis.to);
     for (int i = 0; whole && i < 4; i++) axis.tag = axis.tag << 8 | (uint8_t)argument[i];
-    if (!whole || !mt_axis_is_valid(&axis))
-        return misuse(options->command,
-                      "--axis %s: TAG=FROM..TO is wanted, such as wght=400..900: a registered tag or four "
-                      "capitals, and two numbers that the axis may have",
-                      argument);
+    if (!whole || !mt_axis_is_valid(&axis)) return refuse_axis(options, argument);
     memcpy(options->axis_tag, argument, 4);
     options->axis_from = axis.from;
     options->axis_to = axis.to;
@@ -173,6 +185,48 @@ static int read_glyphs(cli_options *options, const char *argument) {
     options->glyphs = both ? MT_GLYPHS_BOTH : MT_GLYPHS_FIRST;
     if (both || strcmp(argument, "first") == 0) return GO_ON;
     return misuse(options->command, "--glyphs %s: both or first is wanted", argument);
+}
+
+/* The flag of a name, of which `length` bytes are given; 0 for any other. */
+static unsigned find_flag(const char *name, size_t length) {
+    for (unsigned flag = 1; flag & MT_FLAG_ALL; flag <<= 1) {
+        const char *known = mt_report_flag_name((mt_report_flag)flag);
+        if (strlen(known) == length && strncmp(known, name, length) == 0) return flag;
+    }
+    return 0;
+}
+
+/* "failed, components … or ink", and what else may stand there. */
+static int refuse_fail_on(const cli_options *options, const char *argument) {
+    char names[128] = "";
+    for (unsigned flag = 1; flag & MT_FLAG_ALL; flag <<= 1) {
+        size_t used = strlen(names);
+        const char *before = flag == 1 ? "" : flag << 1 & MT_FLAG_ALL ? ", " : " and ";
+        snprintf(names + used, sizeof names - used, "%s%s", before,
+                 mt_report_flag_name((mt_report_flag)flag));
+    }
+    return misuse(options->command, "--fail-on %s: a number from 1 on is wanted, or some of %s with commas",
+                  argument, names);
+}
+
+/* N, or REASON[,REASON...] */
+static int read_fail_on(cli_options *options, const char *argument) {
+    double number;
+    options->fail_flags = 0;
+    options->fail_count = 0;
+    if (number_read(argument, &number)) {
+        bool good = number >= 1 && number <= INT_MAX && number == floor(number);
+        options->fail_count = good ? (int)number : 0;
+        return good ? GO_ON : refuse_fail_on(options, argument);
+    }
+    for (const char *at = argument;; at++) {
+        size_t length = strcspn(at, ",");
+        unsigned flag = find_flag(at, length);
+        if (!flag) return refuse_fail_on(options, argument);
+        options->fail_flags |= flag;
+        at += length;
+        if (!*at) return GO_ON;
+    }
 }
 
 static int read_method(cli_options *options, const char *argument) {
@@ -218,6 +272,7 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'A': return read_map(options, argument);
     case 'P': return options->pairs_file = argument, GO_ON;
     case 'H': return options->hints_file = argument, GO_ON;
+    case 'B': return read_fail_on(options, argument);
     case 'J': return options->json = true, GO_ON;
     case 'S': return options->strict = true, GO_ON;
     case 'q': return options->quiet = true, GO_ON;

@@ -30,8 +30,10 @@ typedef struct cli_options {
     double size; /* 0: not given */
     int rows;    /* 0: not given */
     mt_glyph_set glyphs;
-    cli_motion motion; /* of animate */
-    cli_solid solid;   /* of solid */
+    cli_motion motion;   /* of animate */
+    cli_solid solid;     /* of solid */
+    unsigned fail_flags; /* of --fail-on; mt_report_flag */
+    int fail_count;      /* the same; 0: not given */
     bool alternates, no_layout, no_labels, json, strict, quiet, verbose;
     mt_params params;
 } cli_options;

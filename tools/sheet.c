@@ -4,6 +4,7 @@
 #include "messages.h"
 #include "picture/canvas.h"
 #include "picture/picture.h"
+#include "sources.h"
 #include "work.h"
 
 #include <stdio.h>
@@ -58,6 +59,7 @@ static int run(cli_options *options) {
     cli_work work;
     int outcome = check(options);
     if (outcome == DONE) outcome = output_check(options->output);
+    if (outcome == DONE) outcome = sources_spare_numbered(options, options->output, 0);
     if (outcome == DONE) outcome = options_spread(options, STEPS);
     if (outcome != DONE) return outcome;
     outcome = work_begin(options, &work);

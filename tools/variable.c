@@ -1,7 +1,10 @@
 /* morphotype variable: one font that holds all between two fonts, or between more of them in a row. */
+#include "base/memory.h"
 #include "commands.h"
 #include "messages.h"
+#include "save/designspace.h"
 #include "save/save.h"
+#include "sources.h"
 #include "work.h"
 
 static int save(cli_work *work) {
@@ -21,6 +24,14 @@ static int make(cli_work *work) {
     return status == MT_OK ? save(work) : work_fail(work, status);
 }
 
+/* No source is in the folder of a designspace's masters, which is replaced. */
+static int spare_masters(const cli_options *options) {
+    char *folder = mt_designspace_folder(options->output);
+    int outcome = folder ? sources_spare(options, folder) : fail_status(options->output, MT_NO_MEMORY);
+    mt_free(folder);
+    return outcome;
+}
+
 static int check(const cli_options *options) {
     mt_font_format format;
     if (!options->output) return misuse(options->command, "-o OUT.ttf|woff2|designspace is wanted");
@@ -29,7 +40,9 @@ static int check(const cli_options *options) {
                       options->output);
     if (options->style_count > 1) return misuse(options->command, "--style: one name is wanted");
     mt_status status = mt_save_check(options->output);
-    return status == MT_OK ? directory_check(options->output) : fail_status(options->output, status);
+    if (status != MT_OK) return fail_status(options->output, status);
+    int outcome = format == MT_FONT_DESIGNSPACE ? spare_masters(options) : DONE;
+    return outcome == DONE ? directory_check(options->output) : outcome;
 }
 
 static int run(cli_options *options) {

@@ -1,5 +1,6 @@
 #include "work.h"
 
+#include "axis_hint.h"
 #include "base/file.h"
 #include "base/memory.h"
 #include "blend/pair.h"
@@ -46,6 +47,11 @@ int font_open(const cli_options *options, const char *spec, mt_font **font) {
     errno = 0;
     mt_status status = mt_font_open(spec, font);
     if (status == MT_BAD_FEATURE) return misuse(options->command, "%s: %s", spec, mt_status_text(status));
+    if (status == MT_NO_AXIS) {
+        char hint[AXIS_HINT_ROOM];
+        axis_hint(spec, hint);
+        return fail("%s: %s%s", spec, mt_status_text(status), hint);
+    }
     if (status != MT_OK) return fail_status(spec, status);
     if (options->no_layout) mt_font_drop_layout(*font);
     return DONE;

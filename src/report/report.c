@@ -1,7 +1,6 @@
 /* The report of two fonts: every glyph measured, the worst first; written to a file. */
 #include "report/report.h"
 
-#include "base/file.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -77,7 +76,7 @@ void mt_report_free(mt_report *report) {
     *report = (mt_report){0};
 }
 
-/* ---- the file ------------------------------------------------------------------------------------------ */
+/* ---- the format ---------------------------------------------------------------------------------------- */
 
 mt_status mt_report_format_of(const char *path, mt_report_format *format) {
     const char *dot = strrchr(path, '.');
@@ -85,18 +84,4 @@ mt_status mt_report_format_of(const char *path, mt_report_format *format) {
     if (!html && !json) return MT_UNKNOWN_FORMAT;
     *format = html ? MT_REPORT_HTML : MT_REPORT_JSON;
     return MT_OK;
-}
-
-mt_status mt_report_save(mt_row *row, const char *path) {
-    mt_report_format format;
-    mt_report report;
-    mt_buffer text = {0};
-    mt_status status = mt_report_format_of(path, &format);
-    if (status == MT_OK) status = mt_report_make(row, &report);
-    if (status != MT_OK) return status;
-    status = format == MT_REPORT_HTML ? mt_report_html(&report, &text) : mt_report_json(&report, &text);
-    if (status == MT_OK) status = mt_file_write(path, text.bytes, text.length);
-    mt_buffer_free(&text);
-    mt_report_free(&report);
-    return status;
 }

@@ -2,7 +2,7 @@
  * reason: by the same score that the engine chooses morphs by (morph/check/appearance.h). docs/guide.md ("report") describes what is
  * measured and the data's schema.
  *
- *     report.c          the measuring of two fonts, on threads; sorting; the file
+ *     report.c          the measuring of two fonts, on threads; sorting
  *     report_measure.c  the figures of one glyph
  *     report_judge.c    which figures are out of their limits, in numbers and in words
  *     report_json.c     the report as data
@@ -164,6 +164,3 @@ typedef enum mt_report_format { MT_REPORT_HTML, MT_REPORT_JSON } mt_report_forma
 
 /* The format that a file name's extension asks for, in either case. MT_UNKNOWN_FORMAT. */
 mt_status mt_report_format_of(const char *path, mt_report_format *format);
-/* Makes the report and writes it to `path`, whole or not at all. As mt_report_make; MT_UNKNOWN_FORMAT,
- * MT_CANNOT_WRITE. */
-mt_status mt_report_save(mt_row *row, const char *path);

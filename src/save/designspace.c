@@ -25,8 +25,7 @@ struct mt_master {
 
 /* ---- names ----------------------------------------------------------------------------------------------- */
 
-/* NAME-masters for NAME.designspace; from mt_new. */
-static char *folder_of(const char *path) {
+char *mt_designspace_folder(const char *path) {
     size_t stem = strlen(path) - strlen(EXTENSION), room = stem + sizeof FOLDER;
     char *folder = mt_new(room, 1);
     if (folder) snprintf(folder, room, "%.*s%s", (int)stem, path, FOLDER);
@@ -39,7 +38,7 @@ static const char *last_part(const char *path) {
 }
 
 mt_status mt_designspace_check(const char *path) {
-    char *folder = folder_of(path);
+    char *folder = mt_designspace_folder(path);
     if (!folder) return MT_NO_MEMORY;
     mt_status status = mt_file_check(path);
     if (status == MT_OK) status = mt_folder_check(folder, FIRST_MASTER "/" MT_UFO_MARK);
@@ -52,7 +51,7 @@ mt_status mt_designspace_check(const char *path) {
 mt_status mt_designspace_begin(const char *path, const mt_axis *axis, const mt_axis_map *map,
                                mt_designspace *designspace) {
     mt_designspace made = {.path = mt_copy_text(path), .axis = axis, .map = map};
-    char *folder = folder_of(path);
+    char *folder = mt_designspace_folder(path);
     mt_status status = made.path && folder ? mt_folder_begin(folder, &made.folder) : MT_NO_MEMORY;
     mt_free(folder);
     if (status != MT_OK) {

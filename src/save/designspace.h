@@ -18,6 +18,9 @@ typedef struct mt_designspace {
     size_t length; /* of all files, bytes */
 } mt_designspace;
 
+/* Where the folder of the masters goes: NAME-masters for NAME.designspace; from mt_new, NULL when out of memory. */
+char *mt_designspace_folder(const char *path);
+
 /* Whether both may stand there: mt_file_check, mt_folder_check. */
 mt_status mt_designspace_check(const char *path);
 

@@ -45,13 +45,16 @@ static mt_status move_to(mt_font *font, const FT_MM_Var *axes) {
     return MT_OK;
 }
 
-/* What lies on axes beyond the limit stays at the default. */
+/* Axes beyond the limit stay at their defaults. */
 static mt_status note_place(mt_font *font, const FT_MM_Var *axes) {
     FT_Fixed *normalized = mt_arena_new(&font->scratch, axes->num_axis, sizeof *normalized);
     if (!normalized) return MT_NO_MEMORY;
     if (FT_Get_Var_Blend_Coordinates(font->face, axes->num_axis, normalized) != 0) return MT_OK;
     font->axis_count = axes->num_axis < MT_SPEC_AXES ? (int)axes->num_axis : MT_SPEC_AXES;
-    for (int i = 0; i < font->axis_count; i++) font->place[i] = (int32_t)normalized[i];
+    for (int i = 0; i < font->axis_count; i++) {
+        font->axes[i] = (uint32_t)axes->axis[i].tag;
+        font->place[i] = (int32_t)normalized[i];
+    }
     return MT_OK;
 }
 
@@ -72,4 +75,9 @@ bool mt_font_axis(const mt_font *font, uint32_t tag, double *value) {
         return true;
     }
     return false;
+}
+
+int mt_font_axes(const mt_font *font, const uint32_t **tags) {
+    *tags = font->axes;
+    return font->axis_count;
 }

@@ -56,6 +56,8 @@ const char *mt_font_unread_metrics(const mt_font *font);
 
 bool mt_font_has_table(const mt_font *font, uint32_t tag);
 
+/* The tags of its axes, in the handle; how many, at most 64, 0 where it does not vary. */
+int mt_font_axes(const mt_font *font, const uint32_t **tags);
 /* The place on the axes of 'fvar' that the font was opened at: normalized, after 'avar', 16.16 in -1 … 1, one an axis.
  * Returns how many; 0 for a font that does not vary. They belong to the font. */
 int mt_font_place(const mt_font *font, const int32_t **normalized);

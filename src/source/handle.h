@@ -36,6 +36,7 @@ struct mt_font {
     FT_Face face; /* NULL when memory ran out */
 
     int axis_count;              /* of 'fvar'; 0 where the font does not vary */
+    uint32_t axes[MT_SPEC_AXES]; /* their tags */
     int32_t place[MT_SPEC_AXES]; /* normalized, 16.16 */
     int instance_name; /* the name id of the named instance that the axes are set to; -1 when there is none */
     mt_names names;

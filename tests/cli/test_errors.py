@@ -44,9 +44,6 @@ class Fonts(cli.Test):
     def test_noise(self):
         self.refuse(self.write('noise.otf', bytes(i * i * 31 % 251 for i in range(20000))), 'not a font')
 
-    def test_name_with_a_line_end(self):
-        self.refused(1, 'blend', 'two\nlines.ttf', cli.SERIF, '-o', 'x.ttf', says=['two?lines.ttf'])
-
     def test_no_such_face(self):
         for face in ('#7', '#1', '#x', '#-1', '#99999999999'):
             self.refuse(f'{cli.SERIF}{face}', 'face')
@@ -58,6 +55,90 @@ class Fonts(cli.Test):
     def test_bad_axis(self):
         for axes in ('@wght=heavy', '@wght=9999', '@wght', '@wght=', '@', '@wght=400,wght=500'):
             self.refuse(f'{cli.INTER}{axes}', 'axis')
+
+
+class Named(cli.Test):
+    """How a font that cannot be opened, or its axis, is named."""
+
+    def test_name_with_a_line_end(self):
+        self.refused(1, 'blend', 'two\nlines.ttf', cli.SERIF, '-o', 'x.ttf', says=['two<U+000A>lines.ttf'])
+
+    def test_name_with_what_cannot_be_seen(self):
+        for name, shown in (('a\x1b[31mb', 'a<U+001B>[31mb'), ('a\u200db', 'a<U+200D>b'), ('a\xa0b', 'a<U+00A0>b'), ('a b', 'a b'),
+                            ('a\u202eb', 'a<U+202E>b'), ('\ufeffa', '<U+FEFF>a'), ('\ue000', '<U+E000>'), ('a\U000e0100', 'a<U+E0100>'),
+                            ('形é“”', '形é“”'), (b'a\xffb'.decode('utf-8', 'surrogateescape'), 'a<0xFF>b')):
+            said = self.refused(1, 'blend', name, cli.SERIF, '-o', 'x.ttf')
+            self.assertTrue(said.startswith(f'morphotype: {shown}: the file is missing'), said)
+            said = self.refused(2, 'blend', cli.SERIF, cli.SERIF, name, '-o', 'x.ttf')
+            self.assertTrue(said.startswith(f'morphotype: {shown} is one argument too many'), said)
+
+    def test_axes_that_there_are(self):
+        for axis in ('wgth', 'Wght', 'whgt', 'wgh'):
+            said = self.refused(1, 'blend', f'{cli.INTER}@{axis}=700', cli.SERIF, '-o', 'x.ttf')
+            self.assertTrue(said.endswith('no such axis in the font; did you mean wght?\n'), said)
+        for axes in ('opsz=14', 'wght=500,GRAD=1'):
+            self.refused(1, 'blend', f'{cli.INTER}@{axes}', cli.SERIF, '-o', 'x.ttf', says=['no such axis in the font; it has wght'])
+        self.refused(1, 'blend', f'{cli.ZENHEI}#1@wght=5', cli.SERIF, '-o', 'x.ttf', says=['no such axis in the font; it does not vary'])
+        for axis in ('wgth=400..900', 'wdht=75..100', 'Slnt=-10..0'):
+            self.refused(2, 'variable', cli.SERIF, cli.SANS_BOLD, '--axis', axis, '-o', 'x.ttf', says=['did you mean'])
+
+
+class Sources(cli.Test):
+    """What is read is not written over."""
+
+    def setUp(self):
+        super().setUp()
+        self.a, self.b = cli.cut_font(self.path('a.ttf'), 'A'), cli.cut_font(self.path('b.ttf'), 'A')
+
+    def spared(self, *arguments):
+        self.refused(1, *arguments, says=['not written over'])
+
+    def test_the_file_itself(self):
+        self.spared('blend', 'a.ttf', 'b.ttf', '-o', 'a.ttf')
+        self.spared('blend', 'a.ttf', self.b, '-o', 'b.ttf')
+        self.spared('blend', f'{self.a}#0', 'b.ttf', '-o', './a.ttf')
+        self.spared('variable', 'a.ttf', 'b.ttf', 'a.ttf', '-o', 'b.ttf')
+        self.made('blend', 'a.ttf', 'b.ttf', '-o', 'c.ttf')
+        self.made('blend', 'a.ttf', 'b.ttf', '-o', 'c.ttf')
+
+    def test_links(self):
+        self.path('soft.ttf').symlink_to('a.ttf')
+        self.path('hard.ttf').hardlink_to(self.b)
+        for link in ('soft.ttf', 'hard.ttf'):
+            self.spared('blend', 'a.ttf', 'b.ttf', '-o', link)
+            self.spared('variable', 'a.ttf', 'b.ttf', '-o', link)
+        self.spared('blend', 'soft.ttf', 'b.ttf', '-o', 'a.ttf')
+
+    def test_several_places(self):
+        self.a.rename(self.path('x-0.25.ttf'))
+        self.spared('blend', 'x-0.25.ttf', 'b.ttf', '--at', '0.5,0.25', '-o', 'x.ttf')
+        self.made('blend', 'x-0.25.ttf', 'b.ttf', '--at', '0.5,0.75', '-o', 'x.ttf')
+        self.made('blend', 'x-0.25.ttf', 'b.ttf', '-o', 'x.ttf')
+
+    def test_other_files(self):
+        for option, content in (('--chars', 'A'), ('--hints', 'glyph A\n'), ('--pairs', 'A A\n')):
+            self.write('given.svg', content)
+            self.spared('sheet', 'a.ttf', 'b.ttf', *(['--text', 'A'] if option != '--chars' else []), option, 'given.svg', '-o', 'given.svg')
+
+    def test_numbered_files(self):
+        star = (cli.SOURCE / 'docs/star.svg').read_text()
+        for name in ('x-1.svg', 'y-01.svg'):
+            self.write(name, star)
+            self.spared('animate', name, 'a.ttf=A', '--steps', '2' if name[0] == 'x' else '10', '-o', f'{name[0]}.svg')
+        self.made('animate', 'y-01.svg', 'a.ttf=A', '--steps', '2', '-o', 'y.svg')
+        self.path('z-2.svg').hardlink_to(self.write('chars', 'A'))
+        self.spared('sheet', 'a.ttf', 'b.ttf', '--chars', 'chars', '-o', 'z.svg')
+        self.spared('animate', 'x-1.svg', 'a.ttf=A', '-o', 'x-1.svg')
+
+    def test_files_in_a_directory(self):
+        self.made('blend', 'a.ttf', 'b.ttf', '-o', 'x.ufo')
+        self.write('x.ufo/chars', 'A')
+        self.path('link').symlink_to('x.ufo/chars')
+        for chars in ('x.ufo/chars', 'link'):
+            self.spared('blend', 'a.ttf', 'b.ttf', '--chars', chars, '-o', 'x.ufo')
+        self.made('variable', 'a.ttf', 'b.ttf', '-o', 'y.designspace')
+        self.write('y-masters/chars', 'A')
+        self.spared('variable', 'a.ttf', 'b.ttf', '--chars', 'y-masters/chars', '-o', 'y.designspace')
 
 
 class Characters(cli.Test):

@@ -239,6 +239,53 @@ class Page(cli.Test):
         self.assertRegex(page.text, r'Only the worst 1000 of the \d+ glyphs have strips')
 
 
+class FailOn(cli.Test):
+    """--fail-on: the report is written, and the exit code says whether it is good enough."""
+
+    def setUp(self):
+        super().setUp()
+        self.fonts = (cli.SANS_BOLD, cli.cut_font(self.path('cut.ttf'), 'ABCDE', blank='BCD'))
+
+    def judged(self, code, fail_on, *arguments, fonts=None, text='ABCDE'):
+        """Runs it; gives its data and what it says, one line or none."""
+        result = self.run_program('report', *(fonts or self.fonts), '--text', text, '--fail-on', fail_on, '-o', 'x.json', *arguments)
+        said = result.stderr.decode()
+        self.assertEqual((result.returncode, said.count('\n')), (code, code), said)
+        data = json.loads(self.path('x.json').read_bytes())
+        self.path('x.json').unlink()
+        return data, said
+
+    def test_number(self):
+        for number in (1, 2, 3):
+            data, said = self.judged(1, number, '-q')
+            self.assertEqual(said, 'morphotype: x.json: 3 of 5 glyphs flagged (--fail-on)\n')
+            self.assertEqual(data['summary']['flagged'], 3)
+        for number in (4, 1000):
+            self.judged(0, number)
+
+    def test_reasons(self):
+        _, said = self.judged(1, 'failed')
+        self.assertEqual(said, 'morphotype: x.json: 3 of 5 glyphs flagged for failed (--fail-on)\n')
+        self.judged(0, 'components,holes,strays,clots,ink')
+        self.judged(0, 'failed', text='AE')
+        _, said = self.judged(1, 'ink,failed,clots')
+        self.assertIn('flagged for failed (', said)
+
+    def test_each_reason(self):
+        """Fails for those that the data have, and for no other."""
+        fonts, text = (cli.ZENHEI, cli.UKAI), '一形國永'
+        data, _ = self.judged(1, 1, '--method', 'paper', fonts=fonts, text=text)
+        found = {flag['flag'] for glyph in data['glyphs'] for flag in glyph['flags']}
+        self.assertTrue(0 < len(found) < len(FLAGS))
+        for flag in FLAGS:
+            self.judged(int(flag in found), flag, '--method', 'paper', fonts=fonts, text=text)
+
+    def test_usage(self):
+        for wrong in ('', '0', '-1', '1.5', 'none', 'ink,', ',ink', 'ink,blots', 'Ink', 'nan', '1,2'):
+            self.refused(2, 'report', *self.fonts, '--fail-on', wrong, '-o', 'x.json', says=['--fail-on', ', '.join(FLAGS[:-1])])
+        self.refused(2, 'blend', *self.fonts, '--fail-on', '1', '-o', 'x.ttf', says=['but of report'])
+
+
 class Usage(cli.Test):
     """What is refused."""
 
