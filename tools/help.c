@@ -90,10 +90,9 @@ int help_program(void) {
     print_paragraphs(program_paragraphs);
     puts("\n  morphotype help COMMAND, COMMAND --help   a command's options\n"
          "  morphotype --version                      the version\n");
-    printf("Exit codes:");
+    puts("Exit codes:");
     for (const exit_code *row = exit_codes; row->meaning; row++)
-        printf("%s %d %s", row == exit_codes ? "" : ";", row->code, row->meaning);
-    puts(".");
+        printf("  %d  %s\n", row->code, row->meaning);
     return DONE;
 }
 
