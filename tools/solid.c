@@ -8,6 +8,7 @@
 #include "outputs.h"
 #include "picture/canvas.h"
 #include "scene/strip.h"
+#include "sources.h"
 #include "work.h"
 
 #include <errno.h>
@@ -237,7 +238,10 @@ static int write_output(solid_work *this, const outputs *named) {
 static int check_outputs(const solid_work *this, const outputs *named) {
     int outcome = DONE;
     if (this->kind != MESHES) return this->options->output ? output_check(this->options->output) : DONE;
-    for (int i = 0; i < named->count && outcome == DONE; i++) outcome = output_check(named->paths[i]);
+    for (int i = 0; i < named->count && outcome == DONE; i++) {
+        outcome = output_check(named->paths[i]);
+        if (outcome == DONE) outcome = sources_spare(this->options, named->paths[i]);
+    }
     return outcome;
 }
 

@@ -115,6 +115,15 @@ class Sources(cli.Test):
         self.made('blend', 'x-0.25.ttf', 'b.ttf', '--at', '0.5,0.75', '-o', 'x.ttf')
         self.made('blend', 'x-0.25.ttf', 'b.ttf', '-o', 'x.ttf')
 
+    def test_solids(self):
+        """A tetrahedron under the name of an output."""
+        mesh = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n'
+        self.write('x-0.25.obj', mesh)
+        self.write('b.obj', mesh)
+        self.spared('solid', 'x-0.25.obj', 'b.obj', '-o', 'b.obj')
+        self.spared('solid', 'x-0.25.obj', 'b.obj', '--at', '0.5,0.25', '-o', 'x.obj')
+        self.made('solid', 'x-0.25.obj', 'b.obj', '--at', '0.5,0.75', '-o', 'x.obj')
+
     def test_other_files(self):
         for option, content in (('--chars', 'A'), ('--hints', 'glyph A\n'), ('--pairs', 'A A\n')):
             self.write('given.svg', content)
