@@ -119,6 +119,7 @@ void *mt_arena_grow_list(mt_arena *arena, void *list, int count, int *room, size
 
 void mt_arena_reset(mt_arena *arena) {
     arena->current = NULL;
+    mt_arena_bound(arena, 0);
 }
 
 void mt_arena_release(mt_arena *arena) {
@@ -136,4 +137,21 @@ mt_arena_place mt_arena_mark(const mt_arena *arena) {
 void mt_arena_rewind(mt_arena *arena, mt_arena_place place) {
     arena->current = place.block;
     if (place.block) place.block->used = place.used;
+}
+
+/* ---- work ---------------------------------------------------------------------------------------------- */
+
+void mt_arena_bound(mt_arena *arena, int64_t steps) {
+    arena->steps = steps;
+    arena->bounded = steps > 0;
+}
+
+bool mt_arena_spend(mt_arena *arena, int64_t steps) {
+    if (!arena->bounded) return true;
+    arena->steps = steps > arena->steps ? -1 : arena->steps - steps;
+    return arena->steps >= 0;
+}
+
+bool mt_arena_is_spent(const mt_arena *arena) {
+    return arena->bounded && arena->steps < 0;
 }

@@ -6,7 +6,9 @@
  * and changes nothing. */
 #pragma once
 
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /* The allocator underneath, replaceable by a test: `resize` is realloc's contract, with size 0 meaning free. */
 typedef void *(*mt_resize)(void *memory, size_t size);
@@ -25,13 +27,15 @@ char *mt_copy_text(const char *text);
 typedef struct mt_block mt_block;
 typedef struct mt_arena {
     mt_block *first, *current;
-} mt_arena; /* all zero is an empty arena */
+    int64_t steps; /* that its task may still do, where it is bounded */
+    bool bounded;
+} mt_arena; /* all zero is an empty arena, whose task may do as much as it likes */
 
 /* count × size bytes, zeroed, aligned for any type; belongs to the arena. */
 void *mt_arena_new(mt_arena *arena, size_t count, size_t size);
 /* As mt_grow_list, in the arena, where the old list stays. */
 void *mt_arena_grow_list(mt_arena *arena, void *list, int count, int *room, size_t size);
-void mt_arena_reset(mt_arena *arena);   /* everything made in it is gone; its blocks stay */
+void mt_arena_reset(mt_arena *arena);   /* everything made in it is gone, and its bound; its blocks stay */
 void mt_arena_release(mt_arena *arena); /* the blocks too */
 
 /* A place in an arena: what was made after mt_arena_mark is gone after mt_arena_rewind. */
@@ -41,3 +45,10 @@ typedef struct mt_arena_place {
 } mt_arena_place;
 mt_arena_place mt_arena_mark(const mt_arena *arena);
 void mt_arena_rewind(mt_arena *arena, mt_arena_place place);
+
+/* The work of an arena's task, counted in steps that are the same on any machine: a cell of a table, two points compared, a corner of a
+ * union. Bounds what the task does from here on, or with 0 takes the bound away. */
+void mt_arena_bound(mt_arena *arena, int64_t steps);
+/* Takes steps that are to be done off those left; false where there are not as many, and from then on. */
+bool mt_arena_spend(mt_arena *arena, int64_t steps);
+bool mt_arena_is_spent(const mt_arena *arena);

@@ -27,8 +27,8 @@ static inline double mt_grid_units(double thousandths) {
 #define MT_OVERLAP_CARE 8
 
 /* Cells of the table of one alignment (morph/align/align.c) or ring match (morph/divide/ring_matching.c): samples of one ring times
- * samples of the other, 5 or 4 bytes each. Two rings of 4 000 samples are past anything drawn. */
-#define MT_ALIGNMENT_MAX (1 << 24)
+ * samples of the other, 5 or 4 bytes each. Two rings of 8 000 samples are past anything drawn. */
+#define MT_ALIGNMENT_MAX (1 << 26)
 
 /* A file of hints: bytes, hints in it, and hints for one glyph. A person sets some ten for a glyph, and needs them for a few
  * hundred glyphs. */

@@ -12,6 +12,7 @@
 #include <vector>
 
 extern "C" {
+#include "geometry/crossings.h"
 #include "geometry/union.h"
 }
 
@@ -156,13 +157,15 @@ void mark(const Marks &marks, mt_ring *ring) {
 
 extern "C" mt_status mt_union_unmarked(const mt_rings *rings, mt_rule rule, mt_arena *arena,
                                        mt_shape *shape) try {
+    mt_status status = mt_pay_for_union(rings, arena);
+    if (status != MT_OK) return status;
     Clipper clipper;
     PolyTree tree;
     clipper.AddPaths(paths_of(rings), ptSubject, true);
     PolyFillType filled = rule == MT_POSITIVE ? pftPositive : rule == MT_EVEN_ODD ? pftEvenOdd : pftNonZero;
     clipper.Execute(ctUnion, tree, filled, filled);
     mt_shape made;
-    mt_status status = shape_of(tree, arena, &made);
+    status = shape_of(tree, arena, &made);
     assert(status != MT_OK || mt_shape_is_valid(&made));
     if (status == MT_OK) *shape = made;
     return status;

@@ -65,9 +65,9 @@ mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints 
     if (status == MT_OK && a->count) status = mt_match_sides(&made, params, arena);
     mt_hints turned = {0};
     if (status == MT_OK && hints) status = turn_hints(hints, &made, mt_shape_box(b), arena, &turned);
-    if (status != MT_OK) return status;
     bool joint = a->count > 0 && params->method == MT_METHOD_JOINT;
-    status = joint ? mt_join_best(&made, &turned, params, arena) : mt_map_pieces(&made, params, arena);
+    if (status == MT_OK)
+        status = joint ? mt_join_best(&made, &turned, params, arena) : mt_map_pieces(&made, params, arena);
     assert(status != MT_OK || mt_morph_is_valid(&made));
     if (status == MT_OK) *morph = made;
     return status;

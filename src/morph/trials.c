@@ -9,7 +9,7 @@
  *
  * If none is right, the one with the least loss is taken, the first of equals; where holes open in it, they are closed last, since
  * other settings mostly keep them closed and closing takes long. Work is counted in corners of blends looked at, and ends at MT_EFFORT,
- * so that the result does not depend on the machine. Alignments are kept in one cache for all settings. O(MT_EFFORT log MT_EFFORT)
+ * so that the result does not depend on the machine; so does the work of an arena that is bounded (base/memory.h). Alignments are kept in one cache for all settings. O(MT_EFFORT log MT_EFFORT)
  * for the checks, and a division and a join for each set of settings. */
 #include "morph/trials.h"
 
@@ -47,11 +47,17 @@ static mt_status join(const mt_morph *matched, const mt_join_context *context, m
                       mt_morph *joined) {
     *joined = *matched;
     mt_status status = mt_joint(joined, context, arena);
-    if (!context->white && (status == MT_TOO_LARGE || status == MT_BAD_GEOMETRY)) {
+    bool failed = status == MT_TOO_LARGE || status == MT_BAD_GEOMETRY;
+    if (!context->white && failed && !mt_arena_is_spent(arena)) {
         *joined = *matched;
         status = MT_OK;
     }
     return status == MT_OK ? mt_map_pieces(joined, context->params, arena) : status;
+}
+
+/* What the arena's steps did not do for is left as it is. */
+static mt_status as_far_as_steps_go(mt_status status, const mt_arena *arena) {
+    return status == MT_TOO_LARGE && mt_arena_is_spent(arena) ? MT_OK : status;
 }
 
 /* Repairs the topology: reconnects parts that separate, separates parts that touch. */
@@ -104,6 +110,7 @@ static mt_status try_settings(const mt_morph *matched, const mt_join_context *co
     mt_mending tried = choice->best;
     mt_appearance seen;
     tried.morph = &trials->morphs[trials->count];
+    tried.error = (mt_topology_error){.parts = INT_MAX};
     mt_status status = join(matched, context, tried.arena, tried.morph);
     if (context->white && (status == MT_TOO_LARGE || status == MT_BAD_GEOMETRY)) return MT_OK;
     if (status != MT_OK || was_tried(trials, tried.morph)) return status;
@@ -111,7 +118,7 @@ static mt_status try_settings(const mt_morph *matched, const mt_join_context *co
     status = mt_look_at_morph(onlooker, tried.morph, context->params, tried.arena, &seen);
     double score = mt_appearance_score(&seen);
     if (status != MT_OK || score >= choice->loss) return status;
-    status = repair(&tried);
+    status = as_far_as_steps_go(repair(&tried), tried.arena);
     choice->best.effort = tried.effort;
     double loss = mt_appearance_loss(score, tried.error.parts);
     bool right = tried.error.parts == 0 && score <= SCORE_GOOD;
@@ -144,14 +151,14 @@ static mt_status try_all(const mt_morph *morph, const mt_hints *hints, const mt_
     bool white = trials->white[0].count + trials->white[1].count > 0;
     for (int i = 0; status == MT_OK && i < mt_settings_count(); i++) {
         mt_settings settings = mt_settings_at(i, params);
-        if ((choice->right && i >= ALWAYS) || choice->best.effort <= 0) break;
+        if ((choice->right && i >= ALWAYS) || choice->best.effort <= 0 || mt_arena_is_spent(arena)) break;
         if (!registered.applies[settings.placing] || (settings.fills && !white)) continue;
         settings.cache = cache;
         mt_join_context context = {hints, params, settings, settings.fills ? trials->white : NULL};
         mt_morph matched = placed(morph, &registered, settings.placing);
         status = try_settings(&matched, &context, onlooker, trials, choice);
     }
-    return status;
+    return choice->loss < INFINITY ? as_far_as_steps_go(status, arena) : status;
 }
 
 mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
@@ -160,7 +167,9 @@ mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *
         {morph, params, arena, {.parts = INT_MAX, .ink = INFINITY}, MT_EFFORT}, INFINITY, false};
     if (!trials.morphs) return MT_NO_MEMORY;
     mt_status status = try_all(morph, hints, params, &trials, &choice);
-    if (status == MT_OK && choice.best.error.opened > 0) status = mt_keep_counters(&choice.best);
+    if (status == MT_OK && choice.loss == INFINITY && mt_arena_is_spent(arena)) status = MT_TOO_LARGE;
+    if (status == MT_OK && choice.best.error.opened > 0)
+        status = as_far_as_steps_go(mt_keep_counters(&choice.best), arena);
     if (status == MT_OK) *morph = *choice.best.morph;
     return status;
 }

@@ -10,6 +10,11 @@
 /* How far a point may be from the way that formula (5) takes it, 1/1000 em. */
 #define TURN_WITHIN 1.0
 
+/* Steps (base/memory.h) that the morph of two parts may take, some five seconds, and what moves again as many. Two Han characters of
+ * 64 strokes take half of the first, drawings of 10 000 points a sixth of the second. */
+#define TEXT_STEPS ((int64_t)1 << 33)
+#define DRAWING_STEPS ((int64_t)1 << 30)
+
 /* ---- one part ------------------------------------------------------------------------------------------ */
 
 static mt_status keep_contour(const mt_contour *contour, mt_arena *kept, mt_contour *copy) {
@@ -45,10 +50,14 @@ static mt_status morph(const mt_figure_part *a, const mt_figure_part *b, const m
     mt_variable_outline contours;
     mt_axis_hints axis = hints->count ? (mt_axis_hints){0} : mt_axis_hints_of(&a->shape, &b->shape);
     const mt_hints found = {axis.count, axis.list};
+    int64_t steps = a->apart || b->apart ? DRAWING_STEPS : TEXT_STEPS;
+    mt_arena_bound(scratch, steps);
     mt_status status =
         mt_morph_prepare(&a->shape, &b->shape, axis.count ? &found : hints, params, scratch, &prepared);
+    mt_arena_bound(scratch, steps);
     if (status == MT_OK) status = mt_variable_outline_make(&prepared, params, scratch, &contours);
     if (status == MT_OK && prepared.degrees == 0) status = mt_axis_mirror(&axis, &contours, scratch);
+    mt_arena_bound(scratch, 0);
     if (status != MT_OK) return status;
     part->turning = (mt_morph){.a.box = prepared.a.box, .b.box = prepared.b.box, .degrees = prepared.degrees};
     return keep_contours(&contours, kept, &part->contours);

@@ -1,6 +1,7 @@
 """morphotype animate: vectors, pictures, videos, and what it refuses."""
 
 import json
+import math
 import random
 import re
 import struct
@@ -510,6 +511,31 @@ class Drawings(Animate):
         self.refused(1, 'animate', 'none.svg', 'star.svg', '-o', 'x.svg', says=['none.svg', 'No such file'])
         self.write('hints.txt', 'A whole\n')
         self.refused(2, 'animate', 'star.svg', 'heart.svg', '-o', 'x.svg', '--hints', 'hints.txt', says=['star.svg is a drawing'])
+
+    def test_detailed_drawings_move(self):
+        """Two borders of 5000 points each are one contour of as many, not shapes that shrink and grow."""
+        def border(waves):
+            points = []
+            for i in range(5000):
+                angle = 2 * math.pi * i / 5000
+                r = 9 + sum(math.sin(angle * wave + wave) for wave in waves) / len(waves)
+                points.append(f'{12 + r * math.cos(angle):.4f} {12 + r * math.sin(angle):.4f}')
+            return svg('<path d="M' + 'L'.join(points) + 'z"/>')
+        self.write('a.svg', border((3, 8)))
+        self.write('b.svg', border((2, 5, 7)))
+        (path,) = self.paths('x.svg', keys=('a.svg', 'b.svg'))
+        self.assertEqual(path_points(path.get('d'))[0].count('z'), 1)
+
+    def test_work_on_tangles_is_bounded(self):
+        """What would take minutes shrinks and grows, which is told; the same on any machine."""
+        teeth = svg('<path d="M0 24' + ''.join(f'L{i * .024:.3f} 0L{i * .024 + .012:.3f} 23' for i in range(1000)) + 'L24 24z"/>')
+        nest = svg('<path fill-rule="evenodd" d="' + ''.join(f'M{i / 70:.4f} {i / 70:.4f}h{24 - i / 35:.4f}v{24 - i / 35:.4f}h{i / 35 - 24:.4f}z'
+                                                            for i in range(800)) + '"/>')
+        for drawing in (teeth, nest):
+            self.write('bad.svg', drawing)
+            said = self.made('animate', 'bad.svg', 'ring.svg', '-o', 'x.svg')
+            self.assertEqual(len(said), 1, said)
+            self.assertIn('1 part could not be morphed', said[0])
 
     def test_damaged_drawings_are_drawn_or_refused(self):
         """Bytes of drawings changed at random: an exit code of the program's own, and few lines."""

@@ -181,6 +181,24 @@ static void failures_change_nothing(void **state) {
     mt_allocation_unwatch();
 }
 
+/* Work is counted only while it is bounded; what is once spent stays so until there is another bound. */
+static void work_is_bounded(void **state) {
+    (void)state;
+    mt_arena arena = {0};
+    assert_true(mt_arena_spend(&arena, INT64_MAX) && !mt_arena_is_spent(&arena));
+    mt_arena_bound(&arena, 10);
+    assert_true(mt_arena_spend(&arena, 7) && mt_arena_spend(&arena, 3) && !mt_arena_is_spent(&arena));
+    assert_false(mt_arena_spend(&arena, 1));
+    assert_false(mt_arena_spend(&arena, 0));
+    assert_true(mt_arena_is_spent(&arena));
+    mt_arena_bound(&arena, 5);
+    assert_true(mt_arena_spend(&arena, 5));
+    assert_false(mt_arena_spend(&arena, INT64_MAX));
+    mt_arena_reset(&arena);
+    assert_true(mt_arena_spend(&arena, INT64_MAX));
+    mt_arena_release(&arena);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(arrays),
@@ -192,6 +210,7 @@ int main(void) {
         cmocka_unit_test(blocks_are_kept),
         cmocka_unit_test(blocks_are_found_again),
         cmocka_unit_test(failures_change_nothing),
+        cmocka_unit_test(work_is_bounded),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

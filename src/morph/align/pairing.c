@@ -63,6 +63,7 @@ static mt_status cost_all(const mt_ring_list *a, const mt_ring_list *b, double m
         for (int j = 0; status == MT_OK && j < p->columns; j++) {
             double *cost = &p->costs[(size_t)i * (size_t)p->columns + (size_t)j];
             *cost = INFINITY;
+            if (!mt_arena_spend(arena, a->rings[i]->count + b->rings[j]->count)) return MT_TOO_LARGE;
             if (apart(a->rings[i], &a->frame, b->rings[j], &b->frame) > APART_MOST) continue;
             status = mt_pair_cost(a->rings[i], &a->frame, b->rings[j], &b->frame, settings, arena, cost);
             if (*cost > most) *cost = INFINITY;
@@ -78,6 +79,8 @@ static double capped_cost(double cost, double most) {
 static mt_status assign_rest(const mt_pairing_costs *p, double most, mt_arena *arena, int *partner_a,
                              int *partner_b) {
     size_t cells = (size_t)p->rows * (size_t)p->columns;
+    int fewer = p->rows < p->columns ? p->rows : p->columns;
+    if (!mt_arena_spend(arena, (int64_t)cells * fewer)) return MT_TOO_LARGE;
     double *costs = mt_arena_new(arena, cells, sizeof *costs);
     int *column_of = mt_arena_new(arena, (size_t)p->rows, sizeof *column_of);
     if (!costs || !column_of) return MT_NO_MEMORY;

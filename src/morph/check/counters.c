@@ -59,8 +59,8 @@ static mt_status keep_clear(mt_mending *m, int hole, double t, int holes) {
         mt_point way = mt_displacement(i);
         mt_shift_contour(contour, way);
         mt_status status = look(m, t, holes, &better);
-        if (status != MT_OK) return status;
         mt_shift_contour(contour, (mt_point){-way.x, -way.y});
+        if (status != MT_OK) return status;
         if (better) best = way;
     }
     mt_shift_contour(contour, best);

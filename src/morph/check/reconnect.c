@@ -62,10 +62,8 @@ static mt_status look(mt_mending *m, const mt_connections *connections, double t
 /* Whether two parts have contours of one component of an end. */
 static bool belong_together(const mt_place *s, int part, int other) {
     for (int i = 0; i < s->m->morph->contour_count; i++)
-        for (int k = 0; k < s->m->morph->contour_count; k++)
-            if (s->part_of[i] == part && s->part_of[k] == other &&
-                mt_same_origin(&s->connections->origins, i, k))
-                return true;
+        for (int k = 0; s->part_of[i] == part && k < s->m->morph->contour_count; k++)
+            if (s->part_of[k] == other && mt_same_origin(&s->connections->origins, i, k)) return true;
     return false;
 }
 
@@ -118,8 +116,9 @@ static mt_status bring_nearer(const mt_place *s, const mt_gap *gap) {
         mt_shift(s->m->morph, s->part_of, gap->part, to);
         mt_status status = is_closed(s, &closed);
         if (status == MT_OK && closed) status = mt_mend_compare(s->m, &better);
-        if (status != MT_OK || better) return status;
+        if (better) return status;
         mt_shift(s->m->morph, s->part_of, gap->part, (mt_point){-to.x, -to.y});
+        if (status != MT_OK) return status;
     }
     return MT_OK;
 }

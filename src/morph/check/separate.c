@@ -71,7 +71,8 @@ static mt_status gather(mt_mending *mending, mt_clusters *clusters) {
     for (int i = 0; i < m->contour_count; i++) {
         clusters->of[i] = i;
         for (int k = 0; k < i; k++)
-            if (mt_same_origin(&origins, i, k)) unite(clusters->of, i + 1, i, k);
+            if (clusters->of[i] != clusters->of[k] && mt_same_origin(&origins, i, k))
+                unite(clusters->of, i + 1, i, k);
     }
     for (int i = 0; i < m->contour_count; i++) clusters->boxes[i] = swept_box(&m->contours[i]);
     for (int i = 0; i < m->contour_count; i++) {
@@ -146,9 +147,9 @@ static mt_status displace(const mt_clusters *c, int cluster, int other) {
         mt_shift(c->m->morph, c->of, cluster, to);
         mt_status status = do_touch(c, cluster, other, &touch);
         if (status == MT_OK && !touch) status = mt_mend_compare(c->m, &better);
-        if (status != MT_OK) return status;
         c->displaced[cluster] = better;
         if (!better) mt_shift(c->m->morph, c->of, cluster, (mt_point){-to.x, -to.y});
+        if (status != MT_OK) return status;
     }
     return MT_OK;
 }

@@ -7,13 +7,17 @@
  * A chord is kept where it is at most `reach` long and no ear: the boundary between its ends has to be longer than EAR_SHARE times the
  * chord and EAR. Invariants: samples of a ring, rings of a component, and components are numbered consecutively; the chords of a sample
  * are first_chord[i] … first_chord[i + 1] - 1; each chord has its reverse, which the same diagonal or jump gives.
- * O(n log n) for n samples in practice, as the triangulation is; with jumps O(n²) between components near to one another. */
+ * O(n log n) for n samples in practice, as the triangulation is; with jumps O(n²) at the worst between components near to one another,
+ * in steps of the arena. */
 #include "morph/divide/boundary_graph.h"
 
 #include <assert.h>
 #include <math.h>
 
 #include "geometry/limits.h"
+
+/* What a sample costs, in steps of the arena, mostly to be triangulated. */
+#define SAMPLE_STEPS 256
 
 /* ---- samples ----------------------------------------------------------------------------------------------------- */
 
@@ -153,41 +157,86 @@ static double outside(const mt_boundary *b, int c, mt_point place) {
     return sqrt(x * x + y * y) / MT_EM;
 }
 
-/* The sample of component c nearest to a sample of another component; -1 where it is further than JUMP_REACH. */
-static int nearest_of(const mt_boundary *b, int c, int sample) {
+/* The distance of a place from a block of samples, grid units squared. */
+static int64_t from_block(const mt_box *block, mt_point place) {
+    int64_t x = place.x < block->min.x ? (int64_t)block->min.x - place.x : (int64_t)place.x - block->max.x;
+    int64_t y = place.y < block->min.y ? (int64_t)block->min.y - place.y : (int64_t)place.y - block->max.y;
+    return (x > 0 ? x * x : 0) + (y > 0 ? y * y : 0);
+}
+
+/* The sample of component c nearest to a sample of another component; -1 where it is further than JUMP_REACH. Adds to *compared. */
+static int nearest_of(const mt_boundary *b, int c, int sample, int64_t *compared) {
     mt_point place = b->places[sample];
     if (outside(b, c, place) > JUMP_REACH) return -1;
-    int best = b->first_sample[c];
-    for (int i = best + 1; i < b->first_sample[c + 1]; i++)
-        if (mt_distance2(b->places[i], place) < mt_distance2(b->places[best], place)) best = i;
+    int best = b->first_sample[c], end = b->first_sample[c + 1];
+    int64_t least = mt_distance2(b->places[best], place);
+    for (int i = best, next; i < end; i = next) {
+        int block = i / MT_BLOCK_SAMPLES;
+        next = (block + 1) * MT_BLOCK_SAMPLES;
+        ++*compared;
+        if (from_block(&b->blocks[block], place) >= least) continue;
+        *compared += MT_BLOCK_SAMPLES;
+        for (int k = i; k < next && k < end; k++) {
+            int64_t apart = mt_distance2(b->places[k], place);
+            if (apart >= least) continue;
+            least = apart;
+            best = k;
+        }
+    }
     return mt_boundary_distance(b, sample, best) <= JUMP_REACH ? best : -1;
 }
 
-/* Counts the jumps between two components, or writes them when there is room. */
-static void list_jumps(mt_boundary *b, int c, int d, int *next) {
-    for (int i = b->first_sample[c]; i < b->first_sample[c + 1]; i++) {
-        int k = nearest_of(b, d, i);
-        if (k < 0 || nearest_of(b, c, k) != i) continue;
+/* Whether two components are too far apart for a jump. */
+static bool are_far(const mt_boundary *b, int c, int d) {
+    mt_box p = b->boxes[c], q = b->boxes[d];
+    int64_t reach = (int64_t)(JUMP_REACH * MT_EM) + 1;
+    return p.min.x - q.max.x > reach || q.min.x - p.max.x > reach || p.min.y - q.max.y > reach ||
+           q.min.y - p.max.y > reach;
+}
+
+/* Counts the jumps between two components, or writes them when there is room. Gives how often places were compared. */
+static int64_t list_jumps(mt_boundary *b, int c, int d, int *next) {
+    int64_t compared = 1;
+    for (int i = b->first_sample[c]; i < b->first_sample[c + 1] && !are_far(b, c, d); i++) {
+        int k = nearest_of(b, d, i, &compared);
+        if (k < 0 || nearest_of(b, c, k, &compared) != i) continue;
         double cost = JUMP_COST + JUMP_EM_COST * mt_boundary_distance(b, i, k);
         if (b->chords) b->chords[next[i]] = (mt_chord){k, -1, cost};
         if (b->chords) b->chords[next[k]] = (mt_chord){i, -1, cost};
         next[i]++;
         next[k]++;
     }
+    return compared;
 }
 
-static void list_all(mt_boundary *boundary, double reach, bool jumps, int *next) {
+static mt_status list_all(mt_boundary *boundary, double reach, bool jumps, mt_arena *arena, int *next) {
     for (int c = 0; c < boundary->component_count; c++) {
         list_chords(boundary, c, reach, next);
-        for (int d = 0; jumps && d < c; d++) list_jumps(boundary, c, d, next);
+        for (int d = 0; jumps && d < c; d++)
+            if (!mt_arena_spend(arena, list_jumps(boundary, c, d, next))) return MT_TOO_LARGE;
     }
+    return MT_OK;
+}
+
+static mt_status make_blocks(mt_boundary *boundary, mt_arena *arena) {
+    int count = (boundary->count + MT_BLOCK_SAMPLES - 1) / MT_BLOCK_SAMPLES;
+    boundary->blocks = mt_arena_new(arena, (size_t)count + 1, sizeof *boundary->blocks);
+    if (!boundary->blocks) return MT_NO_MEMORY;
+    for (int i = 0; i < boundary->count; i++) {
+        mt_box own = {boundary->places[i], boundary->places[i]},
+               *block = &boundary->blocks[i / MT_BLOCK_SAMPLES];
+        *block = i % MT_BLOCK_SAMPLES ? mt_box_around(*block, own) : own;
+    }
+    return MT_OK;
 }
 
 static mt_status add_chords(mt_boundary *boundary, double reach, bool jumps, mt_arena *arena) {
     int *next = mt_arena_new(arena, (size_t)boundary->count + 1, sizeof *next);
     boundary->first_chord = mt_arena_new(arena, (size_t)boundary->count + 1, sizeof(int));
     if (!next || !boundary->first_chord) return MT_NO_MEMORY;
-    list_all(boundary, reach, jumps, next);
+    mt_status status = make_blocks(boundary, arena);
+    if (status == MT_OK) status = list_all(boundary, reach, jumps, arena, next);
+    if (status != MT_OK) return status;
     for (int i = 0; i < boundary->count; i++) {
         boundary->first_chord[i + 1] = boundary->first_chord[i] + next[i];
         next[i] = boundary->first_chord[i];
@@ -195,8 +244,7 @@ static mt_status add_chords(mt_boundary *boundary, double reach, bool jumps, mt_
     boundary->chords =
         mt_arena_new(arena, (size_t)boundary->first_chord[boundary->count] + 1, sizeof(mt_chord));
     if (!boundary->chords) return MT_NO_MEMORY;
-    list_all(boundary, reach, jumps, next);
-    return MT_OK;
+    return list_all(boundary, reach, jumps, arena, next);
 }
 
 /* ---- all of it --------------------------------------------------------------------------------------------------- */
@@ -254,6 +302,7 @@ static mt_status start_boundary(const mt_shape *shape, double step, mt_arena *ar
         if (samples > MT_POINTS_MAX) return MT_TOO_LARGE;
         made->first_sample[c + 1] = (int)samples;
     }
+    if (!mt_arena_spend(arena, SAMPLE_STEPS * samples)) return MT_TOO_LARGE;
     made->count = (int)samples;
     made->first_of_ring = mt_arena_new(arena, rings + 1, sizeof *made->first_of_ring);
     made->views = mt_arena_new(arena, (size_t)samples, sizeof *made->views);

@@ -16,6 +16,8 @@ typedef struct mt_chord {
     double cost; /* INFINITY: barred */
 } mt_chord;
 
+enum { MT_BLOCK_SAMPLES = 16 };
+
 typedef struct mt_boundary {
     mt_frame frame; /* of the glyph */
     int component_count;
@@ -28,6 +30,7 @@ typedef struct mt_boundary {
     int count;          /* of samples */
     mt_sample_view *views;
     mt_point *places; /* of each sample */
+    mt_box *blocks;   /* around each MT_BLOCK_SAMPLES of them, the last fewer */
     double *length;   /* from each sample to the next, em */
     double *along;    /* from the start of its ring to each sample, em */
     int *first_chord; /* count + 1 */

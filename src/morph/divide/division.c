@@ -167,7 +167,9 @@ static int better_cut(const mt_boundary *b, int one, int other) {
 /* Bars all chords but the used ones with a return: of the two, the better place to cut stays. */
 static mt_status bar_chords(mt_division *division, mt_arena *arena) {
     mt_boundary *b = &division->boundary;
-    int total = b->first_chord[b->count];
+    int total = b->first_chord[b->count], used = 0;
+    for (int i = 0; i < total; i++) used += division->used[i];
+    if (!mt_arena_spend(arena, (int64_t)used * total)) return MT_TOO_LARGE;
     bool *keep = mt_arena_new(arena, (size_t)total, sizeof *keep);
     if (!keep) return MT_NO_MEMORY;
     for (int i = 0; i < total; i++) {

@@ -66,6 +66,7 @@ typedef struct mt_ring_matcher {
     float *total[2];                /* of the last two rows: least costs; INFINITY outside the window */
     float *cost; /* of this row's sample of the ring with each of the boundary; INFINITY outside the window */
     int32_t *how; /* (n + 1) × to->count: last steps */
+    mt_arena *arena;
 } mt_ring_matcher;
 
 static int32_t *row_of(const mt_ring_matcher *t, int i) {
@@ -187,9 +188,9 @@ static void settle_row(mt_ring_matcher *t, int i) {
         for (int g = t->runs[s].junction; in_window[s] && g < t->runs[s + 1].junction; g++)
             relax_chords(t, t->junctions[g], total, how);
     while (t->pending_count > 0) {
-        int j = t->pending[--t->pending_count];
+        int j = t->pending[--t->pending_count], chords = t->first_open[j + 1] - t->first_open[j];
         t->is_pending[j] = false;
-        relax_chords(t, j, total, how);
+        if (mt_arena_spend(t->arena, chords)) relax_chords(t, j, total, how);
     }
 }
 
@@ -227,7 +228,7 @@ static void fill(mt_ring_matcher *t, int there) {
         row_of(t, 0)[j] = START;
     }
     settle_row(t, 0);
-    for (int i = 1; i <= t->rows; i++) fill_row(t, i);
+    for (int i = 1; i <= t->rows && mt_arena_spend(t->arena, t->to->count); i++) fill_row(t, i);
 }
 
 static int cheapest_end(const mt_ring_matcher *t) {
@@ -238,12 +239,14 @@ static int cheapest_end(const mt_ring_matcher *t) {
     return best;
 }
 
-/* The last sample of a match, from any sample when `there` is -1; the window grows until there is one. */
+/* The last sample of a match, from any sample when `there` is -1; the window grows until there is one. -1 where the arena's steps are
+ * spent. */
 static int match_around(mt_ring_matcher *t, int there, int stride) {
     t->stride = stride;
     t->rows = (t->n + stride - 1) / stride;
     for (;; t->window *= 2) {
         fill(t, there);
+        if (mt_arena_is_spent(t->arena)) return -1;
         int end = there < 0 ? cheapest_end(t) : there;
         if (t->total[t->rows % 2][end] < INFINITY) return end;
     }
@@ -333,8 +336,12 @@ static mt_status make_runs(mt_ring_matcher *t, mt_arena *arena) {
 
 static mt_status start_matcher(const mt_boundary *from, int ring, const mt_boundary *to,
                                const mt_cost_weights *weights, mt_arena *arena, mt_ring_matcher *t) {
-    *t = (mt_ring_matcher){
-        .from = from, .to = to, .weights = *weights, .first = from->first_of_ring[ring], .window = WINDOW};
+    *t = (mt_ring_matcher){.from = from,
+                           .to = to,
+                           .weights = *weights,
+                           .first = from->first_of_ring[ring],
+                           .window = WINDOW,
+                           .arena = arena};
     t->n = from->first_of_ring[ring + 1] - t->first;
     size_t m = (size_t)to->count, cells = ((size_t)t->n + 1) * m, chords = (size_t)to->first_chord[to->count];
     if (cells > MT_ALIGNMENT_MAX) return MT_TOO_LARGE;
@@ -374,7 +381,9 @@ static mt_match_step cheapest(const mt_ring_matcher *t, const mt_match_step *ste
 
 /* A step to start a closed match with: the cheapest of an open one in longer strides. */
 static mt_status find_start(mt_ring_matcher *t, mt_arena *arena, mt_match_step *start) {
-    int end = match_around(t, -1, START_STRIDE), count = read_path(t, end, NULL, 0);
+    int end = match_around(t, -1, START_STRIDE);
+    if (end < 0) return MT_TOO_LARGE;
+    int count = read_path(t, end, NULL, 0);
     mt_match_step *steps = mt_arena_new(arena, (size_t)count, sizeof *steps);
     if (!steps) return MT_NO_MEMORY;
     read_path(t, end, steps, count);
@@ -391,7 +400,7 @@ mt_status mt_match_ring(const mt_boundary *from, int ring, const mt_boundary *to
     if (status == MT_OK && !start) status = find_start(&t, arena, &first);
     if (status != MT_OK) return status;
     t.start = first.here - t.first;
-    match_around(&t, first.there, 1);
+    if (match_around(&t, first.there, 1) < 0) return MT_TOO_LARGE;
     *match = (mt_ring_match){.count = read_path(&t, first.there, NULL, 0)};
     match->cost = (double)t.total[t.rows % 2][first.there] / match->count;
     match->steps = mt_arena_new(arena, (size_t)match->count, sizeof *match->steps);

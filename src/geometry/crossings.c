@@ -1,0 +1,86 @@
+/* A sweep upwards over edges that are listed by their lower ends: each is compared with those that reach its height. */
+#include "geometry/crossings.h"
+
+#include <stdlib.h>
+
+/* What a corner, a crossing and a pair of edges at one height cost a union, in steps (base/memory.h). */
+enum { CORNER_STEPS = 64, CROSSING_STEPS = 128, COMPARED_STEPS = 32 };
+
+typedef struct mt_edge {
+    mt_point low, high; /* by y */
+} mt_edge;
+
+static int compare_edges(const void *a, const void *b) {
+    const mt_edge *p = a, *q = b;
+    return (p->low.y > q->low.y) - (p->low.y < q->low.y);
+}
+
+static bool boxes_meet(const mt_edge *e, const mt_edge *f) {
+    int32_t e_left = e->low.x < e->high.x ? e->low.x : e->high.x, e_right = e->low.x ^ e->high.x ^ e_left;
+    int32_t f_left = f->low.x < f->high.x ? f->low.x : f->high.x, f_right = f->low.x ^ f->high.x ^ f_left;
+    return e_left <= f_right && f_left <= e_right;
+}
+
+static int side_of(const mt_edge *e, mt_point p) {
+    int64_t cross = mt_cross(e->low, e->high, e->low, p);
+    return (cross > 0) - (cross < 0);
+}
+
+static bool cross(const mt_edge *e, const mt_edge *f) {
+    return boxes_meet(e, f) && side_of(e, f->low) * side_of(e, f->high) < 0 &&
+           side_of(f, e->low) * side_of(f, e->high) < 0;
+}
+
+static mt_status list_edges(const mt_rings *rings, mt_arena *arena, mt_edge **edges, size_t *count) {
+    size_t made = 0;
+    mt_edge *list = mt_arena_new(arena, (size_t)mt_rings_corners(rings) + 1, sizeof *list);
+    if (!list) return MT_NO_MEMORY;
+    for (int i = 0; i < rings->count; i++) {
+        const mt_ring *ring = &rings->rings[i];
+        for (int k = 0; k < ring->count; k++) {
+            mt_point p = ring->points[k], q = ring->points[(k + 1) % ring->count];
+            list[made++] = p.y <= q.y ? (mt_edge){p, q} : (mt_edge){q, p};
+        }
+    }
+    qsort(list, made, sizeof *list, compare_edges);
+    *edges = list;
+    *count = made;
+    return MT_OK;
+}
+
+mt_status mt_count_crossings(const mt_rings *rings, int64_t most, mt_arena *arena, mt_crossings *crossings) {
+    mt_edge *edges;
+    size_t count, active_count = 0;
+    mt_crossings met = {0};
+    mt_status status = list_edges(rings, arena, &edges, &count);
+    if (status != MT_OK) return status;
+    const mt_edge **active = mt_arena_new(arena, count + 1, sizeof *active);
+    if (!active) return MT_NO_MEMORY;
+    for (size_t i = 0; i < count; i++) {
+        size_t kept = 0;
+        for (size_t k = 0; k < active_count; k++) {
+            if (active[k]->high.y < edges[i].low.y) continue;
+            active[kept++] = active[k];
+            met.count += cross(active[k], &edges[i]);
+        }
+        met.compared += (int64_t)active_count;
+        active[kept] = &edges[i];
+        active_count = kept + 1;
+        if (met.count > most || met.compared > MT_COMPARED_MAX) return MT_TOO_LARGE;
+    }
+    *crossings = met;
+    return MT_OK;
+}
+
+mt_status mt_pay_for_union(const mt_rings *rings, mt_arena *arena) {
+    if (!arena->bounded) return MT_OK;
+    mt_arena_place before = mt_arena_mark(arena);
+    mt_crossings met;
+    mt_status status = mt_count_crossings(rings, arena->steps / CROSSING_STEPS, arena, &met);
+    mt_arena_rewind(arena, before);
+    if (status == MT_TOO_LARGE) mt_arena_spend(arena, INT64_MAX);
+    if (status != MT_OK) return status;
+    int64_t steps = CORNER_STEPS * (int64_t)mt_rings_corners(rings) + CROSSING_STEPS * met.count +
+                    COMPARED_STEPS * met.compared;
+    return mt_arena_spend(arena, steps) ? MT_OK : MT_TOO_LARGE;
+}
