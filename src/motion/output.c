@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
-#include <unistd.h>
 
 #include "base/file.h"
+#include "base/file_set.h"
 #include "motion/gif.h"
 #include "motion/lottie.h"
 #include "motion/png.h"
@@ -53,9 +53,9 @@ static mt_status save_file(const mt_motion *motion, mt_motion_format format, con
 
 typedef struct mt_numbered {
     const mt_motion_output *output;
-    int digits, written;
-    size_t length; /* bytes written */
-    char *path;    /* room for a file's */
+    int digits;
+    mt_file_set set;
+    char *path; /* room for a file's */
 } mt_numbered;
 
 static void set_path(mt_numbered *files, int number) {
@@ -69,25 +69,22 @@ static mt_status begin(const mt_motion_output *output, int count, mt_numbered *f
     *files = (mt_numbered){.output = output,
                            .digits = snprintf(last, sizeof last, "%d", count),
                            .path = mt_new(strlen(output->path) + NUMBER_ROOM, 1)};
-    return files->path ? MT_OK : MT_NO_MEMORY;
-}
-
-static mt_status write_next(mt_numbered *files, const mt_buffer *file) {
-    set_path(files, files->written + 1);
-    mt_status status = mt_file_write(files->path, file->bytes, file->length);
-    files->written += status == MT_OK;
-    files->length += file->length;
+    mt_status status = files->path ? mt_file_set_begin(output->path, &files->set) : MT_NO_MEMORY;
+    if (status != MT_OK) mt_free(files->path);
     return status;
 }
 
-/* Ends the files; removes them where not all could be written. */
+static mt_status write_next(mt_numbered *files, const mt_buffer *file) {
+    set_path(files, files->set.count + 1);
+    return mt_file_set_add(&files->set, files->path, file->bytes, file->length);
+}
+
+/* Places the files, or removes them where not all could be written. */
 static mt_status end(mt_numbered *files, mt_status status, mt_motion_outcome *outcome) {
+    if (status == MT_OK) status = mt_file_set_place(&files->set);
     int why = errno;
-    *outcome = (mt_motion_outcome){.files = files->written, .length = files->length};
-    for (; status != MT_OK && files->written > 0; files->written--) {
-        set_path(files, files->written);
-        unlink(files->path);
-    }
+    *outcome = (mt_motion_outcome){.files = files->set.count, .length = files->set.folder.length};
+    mt_file_set_free(&files->set);
     mt_free(files->path);
     errno = why;
     return status;
