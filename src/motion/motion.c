@@ -4,6 +4,7 @@
 
 #include "geometry/limits.h"
 #include "morph/model/params.h"
+#include "motion/part_group.h"
 
 /* ---- key frames ---------------------------------------------------------------------------------------- */
 
@@ -55,16 +56,24 @@ typedef struct mt_part_tasks {
     mt_part_task *list;
 } mt_part_tasks;
 
-static const mt_figure_part *part_of(const mt_figure *figure, int part) {
-    return part < 0 ? NULL : &figure->parts[part];
+/* The part that a run is, NULL for nothing; several are one in the arena. */
+static mt_status part_of(const mt_figure *figure, mt_part_run run, mt_arena *arena, mt_figure_part *group,
+                         const mt_figure_part **part) {
+    *part = run.count == 0 ? NULL : run.count == 1 ? &figure->parts[run.first] : group;
+    return run.count > 1 ? mt_group_parts(figure, run.first, run.count, arena, group) : MT_OK;
 }
 
 static mt_status prepare_part(int index, mt_arena *scratch, mt_arena *kept, void *user) {
     const mt_part_tasks *tasks = user;
     const mt_part_task *task = &tasks->list[index];
     mt_part_pair pair = task->stretch->pairs.pairs[task->pair];
-    return mt_moving_part_make(part_of(task->stretch->a, pair.a), part_of(task->stretch->b, pair.b),
-                               &task->hints, tasks->params, scratch, kept, &task->stretch->parts[task->pair]);
+    mt_figure_part groups[2];
+    const mt_figure_part *a, *b;
+    mt_status status = part_of(task->stretch->a, pair.a, scratch, &groups[0], &a);
+    if (status == MT_OK) status = part_of(task->stretch->b, pair.b, scratch, &groups[1], &b);
+    if (status != MT_OK) return status;
+    return mt_moving_part_make(a, b, &task->hints, tasks->params, scratch, kept,
+                               &task->stretch->parts[task->pair]);
 }
 
 static mt_status pair_figures(mt_motion *motion) {
@@ -85,8 +94,8 @@ static mt_status pair_figures(mt_motion *motion) {
 
 /* The hints are about characters that both fonts have, drawn by one glyph each. */
 static mt_hints hints_for(const mt_hint_index *index, const mt_stretch *stretch, mt_part_pair pair) {
-    if (pair.a < 0 || pair.b < 0) return (mt_hints){0};
-    uint32_t a = stretch->a->parts[pair.a].glyph, b = stretch->b->parts[pair.b].glyph;
+    if (pair.a.count != 1 || pair.b.count != 1) return (mt_hints){0};
+    uint32_t a = stretch->a->parts[pair.a.first].glyph, b = stretch->b->parts[pair.b.first].glyph;
     return a == MT_SEVERAL_GLYPHS || b == MT_SEVERAL_GLYPHS ? (mt_hints){0} : mt_hint_index_find(index, a, b);
 }
 

@@ -3,9 +3,14 @@
 
 #include "motion/figure.h"
 
-/* A part of A and one of B; -1 where a part comes from nothing, or goes to nothing. */
+/* Neighbouring parts of a figure. */
+typedef struct mt_part_run {
+    int first, count; /* 0 of them: nothing */
+} mt_part_run;
+
+/* Parts of A and parts of B, one of these at the most several; or a part that comes from nothing, or goes to nothing. */
 typedef struct mt_part_pair {
-    int a, b;
+    mt_part_run a, b;
 } mt_part_pair;
 
 typedef struct mt_part_pairs {
@@ -14,5 +19,6 @@ typedef struct mt_part_pairs {
 } mt_part_pairs;
 
 /* Pairs parts in order: every part of the figure that has fewer gets a partner. Parts of the same text go together first, then the way
- * is the shortest. In the arena. O(n m) for n and m parts. MT_NO_MEMORY. */
+ * is the shortest. What the other figure has more goes with a neighbour whose partner has another text, or else by itself. In the arena.
+ * O(n m) for n and m parts. MT_NO_MEMORY. */
 mt_status mt_pair_parts(const mt_figure *a, const mt_figure *b, mt_arena *arena, mt_part_pairs *pairs);

@@ -233,6 +233,10 @@ class Vectors(Animate):
         for (ax, ay), (mx, my), (bx, by) in zip(drawn[0][1], drawn[5][1], drawn[10][1]): # on straight lines
             self.assertLess(abs(ax + bx - 2 * mx) + abs(ay + by - 2 * my), 8)
 
+    def test_letters_are_small_files(self):
+        for a, b in zip('Rg8&pyS', 'BaS8gRB'):
+            self.assertLessEqual(self.animate('x.svg', keys=(f'{SANS}={a}', f'{SANS}={b}')).stat().st_size, 30000, (a, b))
+
     def test_words_keep_their_letters(self):
         """cat to cart: c, a and t stay letters of the same commands, and r grows from a point."""
         if not cli.SERIF.exists():
@@ -485,6 +489,26 @@ class Drawings(Animate):
         self.animate('x.png', '--steps', 2, '--size', 96, keys=('ring.svg', 'frame.svg'))
         for i, ink in ((1, 3.14159 * (100 - 36)), (2, 400 - 144)):
             self.assertAlmostEqual(cli.Image(self.path(f'x-{i}.png')).ink() / 16 / ink, 1, delta=0.002)
+
+    def ends(self, keys, *options):
+        """The first frame and the last, as bytes."""
+        self.animate('e.png', '--fps', 3, '--size', 90, *options, keys=keys)
+        return self.path('e-1.png').read_bytes(), self.path(f'e-{3 * (len(keys) - 1) + 1}.png').read_bytes()
+
+    def test_ends_are_drawings_of_the_key_frames_by_themselves(self):
+        """Pixel for pixel. The drawings share a box, and texts that of a third: so all canvases are the same."""
+        for a, b in (('ring.svg', 'frame.svg'), ('frame.svg', 'ring.svg')):
+            for options in ((), ('--ease', 'linear', '--hold', 0)):
+                first, last = self.ends((a, b), *options)
+                self.assertEqual(first, self.ends((a, a))[0])
+                self.assertEqual(last, self.ends((b, b))[1])
+                self.assertNotEqual(first, last)
+        if not cli.SERIF.exists():
+            return
+        block = f'{cli.SERIF}=███'
+        for one, other in ((f'{SANS}=g', f'{SERIF}=8'), (f'{cli.SERIF}=V', f'{cli.SERIF}=W')):
+            alone = self.ends((one, block, one))[0], self.ends((other, block, other))[1]
+            self.assertEqual(self.ends((one, block, other)), alone)
 
     def test_what_is_in_the_file_tells_not_its_name(self):
         drawn = self.animate('x.svg', keys=('star.svg', 'heart.svg')).read_bytes()

@@ -68,7 +68,7 @@ static mt_status read(mt_font *font, const char *utf8, mt_arena *arena, mt_figur
 
 /* ---- parts --------------------------------------------------------------------------------------------- */
 
-/* Pairs as text: of each, the first characters of both parts, - for none. */
+/* Pairs as text: of each, the first characters of all parts, - for none. */
 static void assert_pairs(const char *a, const char *b, const char *wanted) {
     mt_arena arena = {0};
     mt_figure first, second;
@@ -81,8 +81,10 @@ static void assert_pairs(const char *a, const char *b, const char *wanted) {
     mt_assert_ok(mt_pair_parts(&first, &second, &arena, &pairs));
     for (int i = 0; i < pairs.count; i++) {
         mt_part_pair pair = pairs.pairs[i];
-        text[length++] = pair.a < 0 ? '-' : (char)first.parts[pair.a].text[0];
-        text[length++] = pair.b < 0 ? '-' : (char)second.parts[pair.b].text[0];
+        if (pair.a.count == 0) text[length++] = '-';
+        for (int k = 0; k < pair.a.count; k++) text[length++] = (char)first.parts[pair.a.first + k].text[0];
+        if (pair.b.count == 0) text[length++] = '-';
+        for (int k = 0; k < pair.b.count; k++) text[length++] = (char)second.parts[pair.b.first + k].text[0];
         text[length++] = ' ';
     }
     text[length] = '\0';
@@ -97,7 +99,11 @@ static void parts_are_paired_in_order(void **state) {
     assert_pairs("cart", "cat", "cc aa r- tt ");
     assert_pairs("a", "bab", "-b aa -b ");
     assert_pairs("a b", "cd", "ac bd ");
-    assert_pairs("o", "xyz", "-x oy -z "); /* the nearest */
+    assert_pairs("o", "xyz", "oxyz ");
+    assert_pairs("wxyz", "o", "wxyzo ");
+    assert_pairs("wxyz", "op", "wxo yzp "); /* each the nearest */
+    assert_pairs("wanz", "axz", "w- aa nx zz ");
+    assert_pairs("aw", "abc", "aa wbc ");
 }
 
 /* A letter and its marks are one part. */
