@@ -306,7 +306,7 @@ class Pairs(Icons):
                                ('home U+', 'code point'), ('home', 'pairs:1:', '1 glyph instead of 2'), ('home home home', '3 glyphs instead of 2'),
                                ('home home\n/home car', 'pairs:2:', 'already', 'line 1'), ('home home\nU+E001 home', 'pairs:2:', 'already'),
                                ('', 'no pairs'), ('# home home\n', 'no pairs'), ('.notdef home', '.notdef'), (b'home home\n\xff\xfe home', 'pairs:2:', 'UTF-8'),
-                               (b'home\0 home', 'pairs:1:', 'UTF-8'), (b'home h\xc3', 'pairs:1:', 'UTF-8'), ('home \x1b[31m', 'pairs:1:', '?[31m'),
+                               (b'home\0 home', 'pairs:1:', 'UTF-8'), (b'home h\xc3', 'pairs:1:', 'UTF-8'), ('home \x1b[31m', 'pairs:1:', '<U+001B>[31m'),
                                ('home ' + 'x' * 5000, 'pairs:1:')):
             for command, output in (('blend', 'x.ttf'), ('inspect', 'x.svg'), ('variable', 'v.ttf')):
                 with self.subTest(content=content, command=command):

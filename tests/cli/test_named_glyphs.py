@@ -110,7 +110,7 @@ class Notation(Named):
         self.assertEqual(self.names('--chars', path), ['/A_B', '/B_C', 'A', 'B', 'D', 'C', '/A.sc', '/'])
 
     def test_unknown_names(self):
-        for text, name in (('/x', 'x'), ('A /A.scc', 'A.scc'), ('/B/none', 'none'), ('/A_x', 'A_x'), ('/\x1bx', '?x'),
+        for text, name in (('/x', 'x'), ('A /A.scc', 'A.scc'), ('/B/none', 'none'), ('/A_x', 'A_x'), ('/\x1bx', '<U+001B>x'),
                            ('/' + 'é' * 300, 'é' * 127)):
             for command, output in (('blend', 'x.ttf'), ('variable', 'x.ttf'), ('strip', 'x.png'), ('sheet', 'x.pdf'),
                                     ('inspect', 'x.svg'), ('report', 'x.html'), ('specimen', 'x.html')):
