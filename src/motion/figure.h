@@ -43,3 +43,8 @@ mt_status mt_figure_read(mt_font *font, const mt_text *text, double tolerance, m
 /* The same of a drawing: one part, whose layers are the drawing's. MT_NO_MEMORY, and as mt_layers_shape. */
 mt_status mt_figure_of_drawing(const mt_svg_drawing *drawing, double tolerance, mt_arena *arena,
                                mt_figure *figure);
+
+/* The parts from `first` on as one, about the origin of the first: their shape alone, in the arena. MT_TOO_LARGE where they lie too far
+ * apart, MT_NO_MEMORY, and as mt_union. */
+mt_status mt_group_parts(const mt_figure *figure, int first, int count, mt_arena *arena,
+                         mt_figure_part *group);

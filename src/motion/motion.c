@@ -4,7 +4,6 @@
 
 #include "geometry/limits.h"
 #include "morph/model/params.h"
-#include "motion/part_group.h"
 
 /* ---- key frames ---------------------------------------------------------------------------------------- */
 
