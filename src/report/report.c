@@ -1,7 +1,6 @@
 /* The report of two fonts: every glyph measured, the worst first; written to a file. */
 #include "report/report.h"
 
-
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
