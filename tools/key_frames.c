@@ -9,7 +9,6 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 
 /* ---- FONT=TEXT ----------------------------------------------------------------------------------------- */
@@ -115,12 +114,7 @@ static bool may_be_drawing(const char *argument) {
     return !strchr(argument, '=') || (stat(argument, &facts) == 0 && S_ISREG(facts.st_mode));
 }
 
-static bool is_named_svg(const char *path) {
-    const char *dot = strrchr(path, '.');
-    return dot && strcasecmp(dot, ".svg") == 0;
-}
-
-/* Reads the key frame if it is a drawing, or is called one; *is_drawing tells. */
+/* Reads the key frame if it is a drawing; *is_drawing tells. */
 static int try_drawing(const cli_options *options, int number, key_frames *keys, bool *is_drawing) {
     const char *argument = options->fonts[number];
     uint8_t *bytes;
@@ -129,7 +123,7 @@ static int try_drawing(const cli_options *options, int number, key_frames *keys,
     if (!may_be_drawing(argument)) return DONE;
     mt_status status = mt_file_read(argument, MT_SVG_MAX, &bytes, &length);
     if (status != MT_OK) return fail_status(argument, status);
-    *is_drawing = is_named_svg(argument) || mt_svg_looks_so(bytes, length);
+    *is_drawing = mt_svg_looks_so(bytes, length);
     int outcome = *is_drawing ? read_drawing(options, number, bytes, length, keys) : DONE;
     mt_free(bytes);
     return outcome;
