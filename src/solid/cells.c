@@ -109,14 +109,6 @@ mt_plane mt_wall_plane(const mt_cells *cells, int wall, int cell) {
 
 /* ---- a part: its edges --------------------------------------------------------------------------------- */
 
-static int after(int edge) {
-    return edge % 3 == 2 ? edge - 2 : edge + 1;
-}
-
-static int before(int edge) {
-    return edge % 3 == 0 ? edge + 2 : edge - 1;
-}
-
 /* An edge of a triangle by its two points, the lower first. */
 typedef struct mt_rim {
     int low, high, edge;
@@ -148,13 +140,14 @@ static int part_of_turn(mt_place u, mt_place v, mt_place r, mt_place x) {
 static void pair_around(const mt_cells *cells, const mt_part *part, mt_rim *rims, int n) {
     const mt_place *points = cells->points;
     mt_place u = points[rims[0].low], v = points[rims[0].high];
-    mt_place r = points[part->triangles[rims[0].edge / 3].at[before(rims[0].edge) % 3]];
+    mt_place r = points[part->triangles[rims[0].edge / 3].at[mt_edge_before(rims[0].edge) % 3]];
     for (int i = 1; i < n; i++) {
         mt_rim rim = rims[i];
-        mt_place x = points[part->triangles[rim.edge / 3].at[before(rim.edge) % 3]];
+        mt_place x = points[part->triangles[rim.edge / 3].at[mt_edge_before(rim.edge) % 3]];
         int where = part_of_turn(u, v, r, x), k = i;
         for (; k > 1; k--) {
-            mt_place y = points[part->triangles[rims[k - 1].edge / 3].at[before(rims[k - 1].edge) % 3]];
+            mt_place y =
+                points[part->triangles[rims[k - 1].edge / 3].at[mt_edge_before(rims[k - 1].edge) % 3]];
             int there = part_of_turn(u, v, r, y);
             if (there < where || (there == where && mt_orient3(u, v, y, x) >= 0)) break;
             rims[k] = rims[k - 1];
@@ -179,7 +172,7 @@ static mt_status find_twins(mt_arena *arena, const mt_cells *cells, mt_part *par
     mt_rim *rims = mt_arena_new(arena, (size_t)n, sizeof *rims);
     if (!rims) return MT_NO_MEMORY;
     for (int e = 0; e < n; e++) {
-        int from = part->triangles[e / 3].at[e % 3], to = part->triangles[e / 3].at[after(e) % 3];
+        int from = part->triangles[e / 3].at[e % 3], to = part->triangles[e / 3].at[mt_edge_after(e) % 3];
         rims[e] = from < to ? (mt_rim){from, to, e, true} : (mt_rim){to, from, e, false};
         part->twins[e] = -1;
     }
@@ -221,7 +214,7 @@ static mt_status find_points(mt_arena *arena, const mt_cells *cells, mt_part *pa
     part->places = mt_arena_new(arena, (size_t)n, sizeof *part->places);
     if (!parent || !part->point || !part->places) return MT_NO_MEMORY;
     for (int e = 0; e < n; e++) parent[e] = e;
-    for (int e = 0; e < n; e++) unite(parent, e, after(part->twins[e]));
+    for (int e = 0; e < n; e++) unite(parent, e, mt_edge_after(part->twins[e]));
     for (int e = 0; e < n; e++) {
         if (root_of(parent, e) != e) continue;
         int point = part->triangles[e / 3].at[e % 3];

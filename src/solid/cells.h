@@ -42,6 +42,23 @@ typedef struct mt_part {
     bool *turned; /* of each triangle: the part is in front of its wall */
 } mt_part;
 
+/* The edge after `edge` around its triangle, the one before it, and the points where it starts and ends. */
+static inline int mt_edge_after(int edge) {
+    return edge % 3 == 2 ? edge - 2 : edge + 1;
+}
+
+static inline int mt_edge_before(int edge) {
+    return edge % 3 == 0 ? edge + 2 : edge - 1;
+}
+
+static inline int mt_edge_start(const mt_part *part, int edge) {
+    return part->triangles[edge / 3].at[edge % 3];
+}
+
+static inline int mt_edge_end(const mt_part *part, int edge) {
+    return mt_edge_start(part, mt_edge_after(edge));
+}
+
 /* The cells of a solid: its components, one each. Triangles that rounding to the grid leaves without area are gone. MT_BAD_GEOMETRY
  * when nothing is left, MT_NO_MEMORY. */
 mt_status mt_cells_of(mt_arena *arena, const mt_mesh *mesh, mt_cells *cells);

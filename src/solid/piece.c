@@ -12,22 +12,6 @@
 /* A way keeps near the ridge: what its points lie deep counts so many times. */
 #define DEPTH_COST 8.0
 
-static int after(int edge) {
-    return edge % 3 == 2 ? edge - 2 : edge + 1;
-}
-
-static int before(int edge) {
-    return edge % 3 == 0 ? edge + 2 : edge - 1;
-}
-
-static int start_of(const mt_part *part, int edge) {
-    return part->triangles[edge / 3].at[edge % 3];
-}
-
-static int end_of(const mt_part *part, int edge) {
-    return start_of(part, after(edge));
-}
-
 /* ---- ridges -------------------------------------------------------------------------------------------- */
 
 static int by_ends(const void *p, const void *q) {
@@ -149,19 +133,19 @@ static mt_status find_way(mt_search *s, mt_ridge *ridge, mt_arena *arena) {
         if (here.number == ridge->v) break;
         int e = s->leaving[here.number];
         do {
-            int to = end_of(part, e);
+            int to = mt_edge_end(part, e);
             double step = mt_length3(mt_minus3(part->places[to], part->places[here.number]));
             if (status == MT_OK) status = reach(s, to, here.cost + step + DEPTH_COST * depth_of(s, to), e);
-            e = part->twins[before(e)];
+            e = part->twins[mt_edge_before(e)];
         } while (e != s->leaving[here.number]);
     }
     if (status != MT_OK) return status;
     if (s->round[ridge->v] != s->rounds) return MT_BAD_GEOMETRY; /* not in one piece */
-    for (int p = ridge->v; p != ridge->u; p = start_of(part, s->by[p])) ridge->n_steps++;
+    for (int p = ridge->v; p != ridge->u; p = mt_edge_start(part, s->by[p])) ridge->n_steps++;
     ridge->steps = mt_arena_new(arena, (size_t)ridge->n_steps, sizeof(int));
     if (!ridge->steps) return MT_NO_MEMORY;
     int i = ridge->n_steps;
-    for (int p = ridge->v; p != ridge->u; p = start_of(part, s->by[p])) ridge->steps[--i] = s->by[p];
+    for (int p = ridge->v; p != ridge->u; p = mt_edge_start(part, s->by[p])) ridge->steps[--i] = s->by[p];
     return MT_OK;
 }
 
@@ -175,7 +159,7 @@ static mt_status find_ways(mt_arena *arena, mt_piece *piece) {
                    .by = mt_arena_new(arena, n, sizeof(int)),
                    .round = mt_arena_new(arena, n, sizeof(int))};
     if (!s.leaving || !s.length || !s.by || !s.round) return MT_NO_MEMORY;
-    for (int e = 0; e < 3 * part->n_triangles; e++) s.leaving[start_of(part, e)] = e;
+    for (int e = 0; e < 3 * part->n_triangles; e++) s.leaving[mt_edge_start(part, e)] = e;
     mt_status status = MT_OK;
     for (int i = 0; status == MT_OK && i < piece->n_ridges; i++) {
         s.left = &piece->hull.facets[piece->ridges[i].left];
@@ -234,8 +218,8 @@ static mt_vote *cast_votes(mt_arena *arena, const mt_piece *piece, const int *re
     for (int i = 0; i < piece->n_ridges; i++)
         for (int k = 0; k < piece->ridges[i].n_steps; k++) {
             int e = piece->ridges[i].steps[k];
-            double length =
-                mt_length3(mt_minus3(part->places[end_of(part, e)], part->places[start_of(part, e)]));
+            double length = mt_length3(
+                mt_minus3(part->places[mt_edge_end(part, e)], part->places[mt_edge_start(part, e)]));
             votes[n++] = (mt_vote){region[e / 3], piece->ridges[i].left, length};
             votes[n++] = (mt_vote){region[part->twins[e] / 3], piece->ridges[i].right, length};
         }

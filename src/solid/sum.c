@@ -59,22 +59,6 @@ typedef struct mt_summing {
     uint64_t *corners; /* of the triangles made: x's point, then y's in the lower half */
 } mt_summing;
 
-static int after(int edge) {
-    return edge % 3 == 2 ? edge - 2 : edge + 1;
-}
-
-static int before(int edge) {
-    return edge % 3 == 0 ? edge + 2 : edge - 1;
-}
-
-static int start_of(const mt_part *part, int edge) {
-    return part->triangles[edge / 3].at[edge % 3];
-}
-
-static int end_of(const mt_part *part, int edge) {
-    return start_of(part, after(edge));
-}
-
 /* ---- farthest points, and ways between them ------------------------------------------------------------ */
 
 static int other_end(const mt_ridge *ridge, int point) {
@@ -276,9 +260,10 @@ static mt_status add_parallelograms(mt_summing *s) {
         int times = 0, e = s->sides[i].x, step = s->sides[i].y;
         for (end = i; end < s->n_sides && by_edges(&s->sides[end], &s->sides[i]) == 0; end++)
             times += s->sides[end].times;
-        int p = times > 0 ? start_of(x, e) : end_of(x, e), q = times > 0 ? end_of(x, e) : start_of(x, e);
+        int p = times > 0 ? mt_edge_start(x, e) : mt_edge_end(x, e),
+            q = times > 0 ? mt_edge_end(x, e) : mt_edge_start(x, e);
         for (int k = 0; status == MT_OK && k < abs(times); k++)
-            status = add_parallelogram(s, p, q, start_of(y, step), end_of(y, step));
+            status = add_parallelogram(s, p, q, mt_edge_start(y, step), mt_edge_end(y, step));
     }
     return status;
 }
@@ -300,7 +285,7 @@ static bool go_around(mt_summing *s, int point, int sign) {
                 any = true;
             }
         }
-        e = twins[before(e)];
+        e = twins[mt_edge_before(e)];
     } while (e != first);
     return any;
 }
@@ -426,15 +411,15 @@ static mt_status hand_over(mt_summing *s, int triangle, int from, int to, int ti
     for (int i = 0; i < n && line[i] != from; i++) {
         int first = s->leaving[line[i]], e = first;
         do {
-            if (!by[end_of(x, e)] && end_of(x, e) != to) {
-                by[end_of(x, e)] = e + 1;
-                line[n++] = end_of(x, e);
+            if (!by[mt_edge_end(x, e)] && mt_edge_end(x, e) != to) {
+                by[mt_edge_end(x, e)] = e + 1;
+                line[n++] = mt_edge_end(x, e);
             }
-            e = x->twins[before(e)];
+            e = x->twins[mt_edge_before(e)];
         } while (e != first);
     }
     mt_status status = MT_OK;
-    for (int p = from; p != to && status == MT_OK; p = start_of(x, by[p] - 1)) {
+    for (int p = from; p != to && status == MT_OK; p = mt_edge_start(x, by[p] - 1)) {
         int step = x->twins[by[p] - 1]; /* from p on towards `to` */
         for (int k = 0; status == MT_OK && k < 3 * abs(times); k++) {
             int e = 3 * triangle + k % 3;
@@ -520,7 +505,7 @@ mt_status mt_sum_of(mt_arena *arena, const mt_piece *x, const mt_piece *y, mt_su
                     .stack = mt_arena_new(arena, n, sizeof(int)),
                     .seen = mt_arena_new(arena, n, sizeof(bool))};
     if (!s.leaving || !s.weights || !s.net || !s.stack || !s.seen) return MT_NO_MEMORY;
-    for (int e = 0; e < 3 * x->part.n_triangles; e++) s.leaving[start_of(&x->part, e)] = e;
+    for (int e = 0; e < 3 * x->part.n_triangles; e++) s.leaving[mt_edge_start(&x->part, e)] = e;
     mt_status status = find_directions(&s);
     if (status == MT_OK) status = find_ways(&s);
     if (status == MT_OK) status = add_facets_of_x(&s);
