@@ -73,12 +73,16 @@ static bool take_params(const mt_solid_params *given, mt_solid_params *params) {
     return good;
 }
 
+static void fill_mesh(const mt_mesh *mesh, mt_mesh *copy) {
+    memcpy(copy->points, mesh->points, (size_t)mesh->n_points * sizeof *copy->points);
+    memcpy(copy->triangles, mesh->triangles, (size_t)mesh->n_triangles * sizeof *copy->triangles);
+}
+
 static mt_status copy_mesh(const mt_mesh *mesh, mt_arena *arena, mt_mesh *copy) {
     copy->points = mt_arena_new(arena, (size_t)mesh->n_points, sizeof *copy->points);
     copy->triangles = mt_arena_new(arena, (size_t)mesh->n_triangles, sizeof *copy->triangles);
     if (!copy->points || !copy->triangles) return MT_NO_MEMORY;
-    memcpy(copy->points, mesh->points, (size_t)mesh->n_points * sizeof *copy->points);
-    memcpy(copy->triangles, mesh->triangles, (size_t)mesh->n_triangles * sizeof *copy->triangles);
+    fill_mesh(mesh, copy);
     copy->n_points = mesh->n_points;
     copy->n_triangles = mesh->n_triangles;
     return MT_OK;
@@ -114,23 +118,25 @@ mt_status mt_solid_blend_at(const mt_solid_blend *blend, double t, mt_arena *are
 
 /* ---- meshes out ----------------------------------------------------------------------------------------- */
 
+/* A copy that outlives the arena. */
+static mt_status own_mesh(const mt_mesh *mesh, mt_mesh *own) {
+    mt_mesh copy = *mesh;
+    copy.points = mt_new((size_t)mesh->n_points, sizeof *copy.points);
+    copy.triangles = mt_new((size_t)mesh->n_triangles, sizeof *copy.triangles);
+    if (!copy.points || !copy.triangles) {
+        mt_mesh_free(&copy);
+        return MT_NO_MEMORY;
+    }
+    fill_mesh(mesh, &copy);
+    *own = copy;
+    return MT_OK;
+}
+
 mt_status mt_solid_blend_mesh(const mt_solid_blend *blend, double t, mt_mesh *mesh) {
     mt_arena arena = {0};
-    mt_mesh made, own;
+    mt_mesh made;
     mt_status status = mt_solid_blend_at(blend, t, &arena, &made);
-    if (status == MT_OK) {
-        own = made;
-        own.points = mt_new((size_t)made.n_points, sizeof *own.points);
-        own.triangles = mt_new((size_t)made.n_triangles, sizeof *own.triangles);
-        if (own.points && own.triangles) {
-            memcpy(own.points, made.points, (size_t)made.n_points * sizeof *own.points);
-            memcpy(own.triangles, made.triangles, (size_t)made.n_triangles * sizeof *own.triangles);
-            *mesh = own;
-        } else {
-            mt_mesh_free(&own);
-            status = MT_NO_MEMORY;
-        }
-    }
+    if (status == MT_OK) status = own_mesh(&made, mesh);
     mt_arena_release(&arena);
     return status;
 }
