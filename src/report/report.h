@@ -2,11 +2,11 @@
  * reason: by the same score that the engine chooses morphs by (morph/check/appearance.h). docs/guide.md ("report") describes what is
  * measured and the data's schema.
  *
- *     report.c          the measuring of two fonts, on threads; sorting
- *     report_measure.c  the figures of one glyph
- *     report_judge.c    which figures are out of their limits, in numbers and in words
- *     report_json.c     the report as data
- *     report_html.c     the report as a page, with strips by report_strip.c
+ *     report.c   the measuring of two fonts, on threads; sorting
+ *     measure.c  the figures of one glyph
+ *     judge.c    what an eye would stumble over, in numbers and in words
+ *     json.c     the report as data
+ *     html.c     the report as a page, with strips by strip.c
  */
 #pragma once
 
