@@ -6,9 +6,9 @@
  *     c[0] p[1]  p[2]
  *
  * Each sample asks that q lie on its tangent: one equation, in which sliding along the curve costs nothing. Unknown are, for each master,
- * the handles at both ends and the inner controls, and the shares, which both have in common. Normal equations are solved by Cholesky's
- * method. Invariants: a fitted chain has no handle that points backwards and no segment that turns by more than MT_SEGMENT_TURN_MAX; it is
- * smooth in every mix. O(ROUNDS · (n + u³)) for n samples and u unknowns, for each number of segments. */
+ * the handles at both ends and the inner controls, and the shares, which both have in common. They are numbered along the chain, so that a
+ * sample's are near each other: the normal equations are a band, and solved in it by Cholesky's method. Invariants: a fitted chain has no handle that points backwards and no segment that turns by more than MT_SEGMENT_TURN_MAX; it is
+ * smooth in every mix. O(ROUNDS · (n + u)) for n samples and u unknowns, for each number of segments. */
 #include "geometry/chain.h"
 
 #include <assert.h>
@@ -17,7 +17,8 @@
 
 enum { MASTERS = MT_MASTERS_MAX };
 enum { ROUNDS = 8 };        /* of Gauss–Newton */
-enum { TERMS = 8 };         /* unknowns that one sample depends on, at most */
+enum { TERMS = 8 };         /* unknowns that one sample depends on, at most … */
+enum { BAND = 11 };         /* … and how far apart these are numbered */
 #define DAMPING 1e-3        /* of an unknown's weight: unknowns that few samples determine stay in place */
 #define EVENNESS 5e-3       /* weight of even spacing of the controls; a sample's is 1 */
 #define EVENNESS_FIRST 0.1  /* … in the first round, where controls that coincide have to be spread */
@@ -38,7 +39,9 @@ typedef struct mt_solver {
     double evenness;
     bool even; /* the shares stay a half */
     int unknowns;
-    double *matrix, *right; /* of the normal equations */
+    double *
+        matrix; /* of the normal equations: of each row what is up to BAND left of the diagonal, and the diagonal */
+    double *right;
 } mt_solver;
 
 static double cross(mt_vec u, mt_vec v) {
@@ -147,17 +150,34 @@ static void add_term(mt_equation *row, int unknown, double slope) {
     row->slope[row->count++] = slope;
 }
 
-/* Unknowns: the handles at both ends, for both masters; the inner controls; the shares. */
-static int end_unknown(int master, bool last) {
-    return 2 * master + last;
+/* Unknowns along the chain: the handles at the start, for both masters, and the share of the first node; of each inner segment its
+ * controls and the share of the node after it; the handles at the end. Where the shares stay a half they are left out. */
+static int first_inner(const mt_solver *s) {
+    return MASTERS + !s->even;
 }
 
-static int control_unknown(const mt_chain *c, int master, int k) {
-    return 2 * MASTERS + 2 * (master * (c->count - 2) + k - 1);
+static int of_inner(const mt_solver *s, int k) {
+    return first_inner(s) + (k - 1) * (2 * MASTERS + !s->even);
 }
 
-static int share_unknown(const mt_chain *c, int k) {
-    return 2 * MASTERS + 2 * MASTERS * (c->count - 2) + k;
+static int end_unknown(const mt_solver *s, int master, bool last) {
+    return master + (last ? of_inner(s, s->chain->count - 1) : 0);
+}
+
+static int control_unknown(const mt_solver *s, int master, int k) {
+    return of_inner(s, k) + 2 * master;
+}
+
+static int share_unknown(const mt_solver *s, int k) {
+    return k == 0 ? MASTERS : of_inner(s, k) + 2 * MASTERS;
+}
+
+static int count_unknowns(const mt_solver *s) {
+    return of_inner(s, s->chain->count - 1) + MASTERS;
+}
+
+static double *cell(const mt_solver *s, int row, int column) {
+    return &s->matrix[row * (BAND + 1) + BAND + column - row];
 }
 
 /* Handles that are tied to their arms are one unknown, in units of the arm. */
@@ -165,22 +185,24 @@ static bool is_tied(const mt_chain_end end[MASTERS]) {
     return end[0].arm > 0 && end[1].arm > 0;
 }
 
-static void add_end(const mt_chain_end end[MASTERS], int m, bool last, mt_vec weight, mt_equation *row) {
+static void add_end(const mt_solver *s, const mt_chain_end end[MASTERS], int m, bool last, mt_vec weight,
+                    mt_equation *row) {
     double slope = dot(end[m].along, weight) * (last ? -1 : 1);
     if (is_tied(end))
-        add_term(row, end_unknown(0, last), slope * end[m].arm);
+        add_term(row, end_unknown(s, 0, last), slope * end[m].arm);
     else
-        add_term(row, end_unknown(m, last), slope);
+        add_term(row, end_unknown(s, m, last), slope);
 }
 
-static void add_control(const mt_chain *c, int m, int k, mt_vec weight, mt_equation *row) {
+static void add_control(const mt_solver *s, int m, int k, mt_vec weight, mt_equation *row) {
+    const mt_chain *c = s->chain;
     if (k == 0)
-        add_end(c->start, m, false, weight, row);
+        add_end(s, c->start, m, false, weight, row);
     else if (k == c->count - 1)
-        add_end(c->end, m, true, weight, row);
+        add_end(s, c->end, m, true, weight, row);
     else {
-        add_term(row, control_unknown(c, m, k), weight.x);
-        add_term(row, control_unknown(c, m, k) + 1, weight.y);
+        add_term(row, control_unknown(s, m, k), weight.x);
+        add_term(row, control_unknown(s, m, k) + 1, weight.y);
     }
 }
 
@@ -189,10 +211,10 @@ static void add_node(const mt_solver *s, int m, int k, mt_vec weight, mt_equatio
     const mt_chain *c = s->chain;
     if (k == 0 || k == c->count) return;
     double share = c->share[k - 1];
-    add_control(c, m, k - 1, (mt_vec){(1 - share) * weight.x, (1 - share) * weight.y}, row);
-    add_control(c, m, k, (mt_vec){share * weight.x, share * weight.y}, row);
+    add_control(s, m, k - 1, (mt_vec){(1 - share) * weight.x, (1 - share) * weight.y}, row);
+    add_control(s, m, k, (mt_vec){share * weight.x, share * weight.y}, row);
     if (!s->even)
-        add_term(row, share_unknown(c, k - 1), dot(weight, minus(c->control[m][k], c->control[m][k - 1])));
+        add_term(row, share_unknown(s, k - 1), dot(weight, minus(c->control[m][k], c->control[m][k - 1])));
 }
 
 static mt_equation row_of(const mt_solver *s, int m, int j) {
@@ -202,7 +224,7 @@ static mt_equation row_of(const mt_solver *s, int m, int j) {
     double t = foot.t, before = (1 - t) * (1 - t), middle = 2 * t * (1 - t), after = t * t;
     mt_equation row = {.off = dot(normal, minus(point_at(s->chain, m, foot), place_of(sample)))};
     add_node(s, m, foot.segment, (mt_vec){before * normal.x, before * normal.y}, &row);
-    add_control(s->chain, m, foot.segment, (mt_vec){middle * normal.x, middle * normal.y}, &row);
+    add_control(s, m, foot.segment, (mt_vec){middle * normal.x, middle * normal.y}, &row);
     add_node(s, m, foot.segment + 1, (mt_vec){after * normal.x, after * normal.y}, &row);
     return row;
 }
@@ -219,23 +241,24 @@ static mt_equation evenness(const mt_solver *s, int m, int k, mt_vec axis) {
     for (int i = 0; i < 3; i++)
         weights[i] = (mt_vec){s->evenness * shares[i] * axis.x, s->evenness * shares[i] * axis.y};
     mt_equation row = {.off = dot(weights[0], before) + dot(weights[1], control[k]) + dot(weights[2], after)};
-    if (!first) add_control(c, m, k - 1, weights[0], &row);
-    add_control(c, m, k, weights[1], &row);
-    if (!last) add_control(c, m, k + 1, weights[2], &row);
+    if (!first) add_control(s, m, k - 1, weights[0], &row);
+    add_control(s, m, k, weights[1], &row);
+    if (!last) add_control(s, m, k + 1, weights[2], &row);
     return row;
 }
 
 static void add_row(mt_solver *s, const mt_equation *row) {
     for (int i = 0; i < row->count; i++) {
         for (int k = 0; k < row->count; k++)
-            s->matrix[row->unknown[i] * s->unknowns + row->unknown[k]] += row->slope[i] * row->slope[k];
+            if (row->unknown[k] <= row->unknown[i])
+                *cell(s, row->unknown[i], row->unknown[k]) += row->slope[i] * row->slope[k];
         s->right[row->unknown[i]] -= row->slope[i] * row->off;
     }
 }
 
 static void set_up(mt_solver *s) {
     int n = s->unknowns;
-    memset(s->matrix, 0, (size_t)n * (size_t)n * sizeof(double));
+    memset(s->matrix, 0, (size_t)n * (BAND + 1) * sizeof(double));
     memset(s->right, 0, (size_t)n * sizeof(double));
     for (int m = 0; m < MASTERS; m++) {
         for (int j = 0; j < s->runs[m].count; j++) {
@@ -248,26 +271,27 @@ static void set_up(mt_solver *s) {
             add_row(s, &in_y);
         }
     }
-    for (int i = 0; i < n; i++) s->matrix[i * n + i] = (1 + DAMPING) * s->matrix[i * n + i] + TINY;
+    for (int i = 0; i < n; i++) *cell(s, i, i) = (1 + DAMPING) * *cell(s, i, i) + TINY;
 }
 
-/* Cholesky's method, in place; false where the matrix is not positive. */
+/* Cholesky's method, in place and within the band; false where the matrix is not positive. */
 static bool solve(mt_solver *s) {
     int n = s->unknowns;
-    double *a = s->matrix, *x = s->right;
+    double *x = s->right;
     for (int i = 0; i < n; i++) {
-        for (int j = 0; j <= i; j++) {
-            double sum = a[i * n + j];
-            for (int k = 0; k < j; k++) sum -= a[i * n + k] * a[j * n + k];
+        int first = i > BAND ? i - BAND : 0;
+        for (int j = first; j <= i; j++) {
+            double sum = *cell(s, i, j);
+            for (int k = first; k < j; k++) sum -= *cell(s, i, k) * *cell(s, j, k);
             if (i == j && sum <= 0) return false;
-            a[i * n + j] = i == j ? sqrt(sum) : sum / a[j * n + j];
+            *cell(s, i, j) = i == j ? sqrt(sum) : sum / *cell(s, j, j);
         }
-        for (int k = 0; k < i; k++) x[i] -= a[i * n + k] * x[k];
-        x[i] /= a[i * n + i];
+        for (int k = first; k < i; k++) x[i] -= *cell(s, i, k) * x[k];
+        x[i] /= *cell(s, i, i);
     }
     for (int i = n - 1; i >= 0; i--) {
-        for (int k = i + 1; k < n; k++) x[i] -= a[k * n + i] * x[k];
-        x[i] /= a[i * n + i];
+        for (int k = i + 1; k < n && k <= i + BAND; k++) x[i] -= *cell(s, k, i) * x[k];
+        x[i] /= *cell(s, i, i);
     }
     return true;
 }
@@ -292,7 +316,8 @@ static double moved_handle(double handle, double by, double least) {
 static void move_end(const mt_solver *s, const mt_chain_end end[MASTERS], bool last) {
     for (int m = 0; m < MASTERS; m++) {
         mt_vec *control = &s->chain->control[m][last ? s->chain->count - 1 : 0];
-        double by = s->right[end_unknown(is_tied(end) ? 0 : m, last)], unit = is_tied(end) ? end[m].arm : 1;
+        double by = s->right[end_unknown(s, is_tied(end) ? 0 : m, last)],
+               unit = is_tied(end) ? end[m].arm : 1;
         double handle = handle_at(&end[m], *control, last) / unit;
         *control = control_on(&end[m], moved_handle(handle, by, HANDLE_LEAST / unit) * unit, last);
     }
@@ -304,12 +329,12 @@ static void move_all(mt_solver *s) {
     move_end(s, c->end, true);
     for (int m = 0; m < MASTERS; m++)
         for (int k = 1; k < c->count - 1; k++) {
-            const double *by = &s->right[control_unknown(c, m, k)];
+            const double *by = &s->right[control_unknown(s, m, k)];
             c->control[m][k].x += by[0];
             c->control[m][k].y += by[1];
         }
     for (int k = 0; k < c->count - 1 && !s->even; k++)
-        c->share[k] = fmin(1 - SHARE_LEAST, fmax(SHARE_LEAST, c->share[k] + s->right[share_unknown(c, k)]));
+        c->share[k] = fmin(1 - SHARE_LEAST, fmax(SHARE_LEAST, c->share[k] + s->right[share_unknown(s, k)]));
 }
 
 /* Tied handles begin in the arms' ratio. */
@@ -365,10 +390,10 @@ static double error_of(const mt_solver *s, int *segment) {
 
 static mt_status solver_for(const mt_run runs[MASTERS], mt_chain *chain, bool even, mt_arena *arena,
                             mt_solver *solver) {
-    int unknowns = share_unknown(chain, even ? 0 : chain->count - 1);
-    mt_solver made = {.runs = runs, .chain = chain, .even = even, .unknowns = unknowns};
-    made.matrix = mt_arena_new(arena, (size_t)unknowns * (size_t)unknowns, sizeof(double));
-    made.right = mt_arena_new(arena, (size_t)unknowns, sizeof(double));
+    mt_solver made = {.runs = runs, .chain = chain, .even = even};
+    made.unknowns = count_unknowns(&made);
+    made.matrix = mt_arena_new(arena, (size_t)made.unknowns, (BAND + 1) * sizeof(double));
+    made.right = mt_arena_new(arena, (size_t)made.unknowns, sizeof(double));
     for (int m = 0; m < MASTERS; m++) {
         made.feet[m] = mt_arena_new(arena, (size_t)runs[m].count, sizeof(mt_foot));
         if (!made.feet[m]) return MT_NO_MEMORY;
@@ -453,10 +478,12 @@ mt_status mt_chain_fit(const mt_run runs[MASTERS], double tolerance, mt_arena *a
     while (status == MT_OK && chain->count > 1) {
         for (int even = 1; status == MT_OK && even >= 0 && error > tolerance; even--) {
             mt_solver solver;
+            mt_arena_place place = mt_arena_mark(arena);
             copy_chain(chain, &trial);
             for (int k = 0; k < trial.count - 1 && even; k++) trial.share[k] = 0.5;
             status = solver_for(runs, &trial, even, arena, &solver);
             if (status == MT_OK) iterate(&solver, tolerance, &error, &worst);
+            mt_arena_rewind(arena, place);
         }
         if (status != MT_OK || error <= tolerance || chain->count == chain->room) break;
         divide(chain, worst);

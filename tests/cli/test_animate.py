@@ -550,6 +550,17 @@ class Drawings(Animate):
         (path,) = self.paths('x.svg', keys=('a.svg', 'b.svg'))
         self.assertEqual(path_points(path.get('d'))[0].count('z'), 1)
 
+    def test_long_spirals_move(self):
+        """A band of 2500 points in three turns is some hundred curves in a row, fitted in seconds."""
+        points = []
+        for i in range(2500):
+            step, side = (i, 0.3) if i < 1250 else (2499 - i, 2.3)
+            angle, r = 6 * math.pi * step / 1249, side + 11 * step / 1249
+            points.append(f'{14 + r * math.cos(angle):.4f} {14 + r * math.sin(angle):.4f}')
+        self.write('spiral.svg', svg('<path d="M' + 'L'.join(points) + 'z"/>', '0 0 28 28'))
+        result = self.run_program('animate', 'spiral.svg', 'star.svg', '-o', 'x.svg', timeout=100)
+        self.assertEqual((result.returncode, result.stderr), (0, b''))
+
     def test_work_on_tangles_is_bounded(self):
         """What would take minutes shrinks and grows, which is told; the same on any machine."""
         teeth = svg('<path d="M0 24' + ''.join(f'L{i * .024:.3f} 0L{i * .024 + .012:.3f} 23' for i in range(1000)) + 'L24 24z"/>')
