@@ -152,3 +152,54 @@ mt_status mt_flatten(const mt_outline *outline, double tolerance, mt_arena *aren
     *rings = made;
     return MT_OK;
 }
+
+/* ---- two contours alike -------------------------------------------------------------------------------------- */
+
+/* Points of both curves at the same parameters after their starts, but those that are the last ones of both. */
+static void add_alike(mt_ring *rings[2], const mt_curve curves[2], int chords) {
+    for (int k = 1; k <= chords; k++) {
+        double t = (double)k / chords;
+        mt_point p = point_at(&curves[0], t), q = point_at(&curves[1], t);
+        int last = rings[0]->count - 1;
+        if (last >= 0 && mt_point_equal(rings[0]->points[last], p) &&
+            mt_point_equal(rings[1]->points[last], q))
+            continue;
+        rings[0]->points[rings[0]->count++] = p;
+        rings[1]->points[rings[1]->count++] = q;
+    }
+}
+
+static void drop_last_alike(mt_ring *rings[2]) {
+    int n = rings[0]->count;
+    while (n > 1 && mt_point_equal(rings[0]->points[0], rings[0]->points[n - 1]) &&
+           mt_point_equal(rings[1]->points[0], rings[1]->points[n - 1]))
+        n--;
+    rings[0]->count = rings[1]->count = n;
+}
+
+static int chords_alike(const mt_contour *contours[2], int i, double tolerance, mt_curve curves[2]) {
+    for (int m = 0; m < 2; m++) curves[m] = curve_at(contours[m], i);
+    int in_a = chord_count(&curves[0], tolerance), in_b = chord_count(&curves[1], tolerance);
+    return in_a > in_b ? in_a : in_b;
+}
+
+mt_status mt_flatten_alike(const mt_contour *a, const mt_contour *b, double tolerance, mt_arena *arena,
+                           mt_ring *in_a, mt_ring *in_b) {
+    const mt_contour *contours[] = {a, b};
+    mt_ring *rings[] = {in_a, in_b};
+    mt_curve curves[2];
+    int64_t bound = 0;
+    for (int i = 0; i < a->count; i++) bound += chords_alike(contours, i, tolerance, curves);
+    if (bound > MT_POINTS_MAX) return MT_TOO_LARGE;
+    for (int m = 0; m < 2; m++) {
+        mt_status status = mt_ring_new(arena, (int)bound, rings[m]);
+        if (status != MT_OK) return status;
+        rings[m]->count = 0;
+    }
+    for (int i = 0; i < a->count; i++) {
+        int chords = chords_alike(contours, i, tolerance, curves);
+        add_alike(rings, curves, chords);
+    }
+    drop_last_alike(rings);
+    return MT_OK;
+}

@@ -34,6 +34,12 @@ void mt_outline_draw(const mt_outline *outline, double scale, const mt_draw *dra
  * MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_flatten(const mt_outline *outline, double tolerance, mt_arena *arena, mt_rings *rings);
 
+/* Flattens two contours with as many segments of the same degrees at the same parameters, so that point k of the one goes with point k
+ * of the other, and so does each mix of both: its chords are within `tolerance` grid units of the mixed curves, and rounding adds one.
+ * Points that fall on the last ones in both are left out; marks are all 0. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_flatten_alike(const mt_contour *a, const mt_contour *b, double tolerance, mt_arena *arena,
+                           mt_ring *in_a, mt_ring *in_b);
+
 /* Fits a closed contour of lines and quadratic Béziers to each ring, corners kept, within `tolerance` grid
  * units of every vertex that is not a dent (MT_DENT). `chord` is the tolerance that the rings' curves were
  * flattened with: it tells a chord from a line. Seams (MT_SEAM_WIDTH) are left out. MT_NO_MEMORY. */

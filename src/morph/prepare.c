@@ -58,7 +58,8 @@ static mt_status turn_hints(const mt_hints *hints, const mt_morph *morph, mt_box
 mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints *hints,
                            const mt_params *params, mt_arena *arena, mt_morph *morph) {
     mt_morph made = {.a = {.whole = *a, .shape = *a, .box = mt_shape_box(a)},
-                     .b = {.whole = *b, .shape = *b, .box = mt_shape_box(b)}};
+                     .b = {.whole = *b, .shape = *b, .box = mt_shape_box(b)},
+                     .proved = a->count == 0};
     if ((a->count == 0) != (b->count == 0)) return MT_NO_COUNTERPART;
     if (a->count > MT_COMPONENTS_MAX || b->count > MT_COMPONENTS_MAX) return MT_TOO_LARGE;
     mt_status status = a->count ? turn_b(&made, params, arena) : MT_OK;

@@ -22,12 +22,13 @@ double mt_area_excess(double area, double a, double b);
  * so that the order does not depend on which end is A. */
 double mt_topology_position(const mt_morph *morph, int number);
 
-/* The error of a morph over MT_TOPOLOGY_STEPS places between its ends. */
+/* The error of a morph at MT_TOPOLOGY_STEPS places between its ends, and at one more of each lull (check/lulls.h) that has none of them. */
 typedef struct mt_topology_error {
-    int parts;       /* components and holes out of the ends' range, summed over all places */
-    int merged;      /* of these, components missing: fewer than at either end */
-    int opened;      /* and holes missing */
-    double ink;      /* the largest distance of the ink from the ends' range, relative to the larger end */
+    int parts;  /* components and holes out of the ends' range, summed over all places */
+    int merged; /* of these, components missing: fewer than at either end */
+    int opened; /* and holes missing */
+    bool
+        proved; /* every T between the ends has the topology of a place that was looked at, but for moments */
     int64_t corners; /* of all blends looked at to find the error */
 } mt_topology_error;
 

@@ -44,6 +44,8 @@ typedef struct mt_morph {
     mt_contour_pair *contours;
     mt_links links; /* of the others' pieces, 2.2.2: the paper's list R */
     double degrees; /* q of formula (5); 0 without rotation */
+    bool
+        proved; /* components and holes are in the ends' range at every T (check/topology.h); false: not known, or they are not */
 } mt_morph;
 
 /* A whole morph as compatible masters (between/variable_outline.h). */
