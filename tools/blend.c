@@ -26,6 +26,7 @@ static int save(cli_work *work, const outputs *named) {
     if (status != MT_OK) return work_fail(work, status);
     for (int i = 0; options->verbose && i < named->count; i++)
         say("%s: T = %g, %zu bytes", named->paths[i], options->at[i], named->lengths[i]);
+    work_say_proved(work);
     return DONE;
 }
 

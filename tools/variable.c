@@ -16,6 +16,7 @@ static int save(cli_work *work) {
     mt_status status = mt_variable_save_when(work->variable, &saving, &failed);
     if (status != MT_OK) return work_fail(work, status);
     if (options->verbose) say("%s: %d fonts, %zu bytes", options->output, options->font_count, length);
+    work_say_proved(work);
     return DONE;
 }
 

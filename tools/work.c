@@ -294,6 +294,13 @@ static mt_status explain_slant(const cli_work *work, mt_row *row) {
     return status;
 }
 
+void work_say_proved(const cli_work *work) {
+    const mt_row *row = work->variable ? &work->variable->row : &work->blend->row;
+    const char *of = row->font_count > 2 ? ", counted between every two fonts" : "";
+    if (work->options->verbose && row->prepared > 0)
+        say("topology proved for every T of %d out of %d glyphs%s", row->proved, row->prepared, of);
+}
+
 /* The characters and glyphs chosen; of a whole font, tells what not all fonts have. */
 static mt_status choose(cli_work *work) {
     const characters *chosen = &work->chosen;

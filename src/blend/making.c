@@ -111,6 +111,7 @@ mt_status mt_making_begin_font(mt_making *making, mt_row *row) {
     mt_status status = mt_making_begin(making, row, &request);
     if (status != MT_OK) return status;
     row->unblended = making->set.charset.unblended_count;
+    row->prepared = row->proved = 0;
     status = mt_composites_find(row, &making->set.fonts, &making->arena, &making->composites);
     if (status == MT_OK) status = order_glyphs(making);
     if (status == MT_OK) status = list_origins(making);
@@ -126,11 +127,21 @@ void mt_making_end(mt_making *making) {
 
 /* ---- one glyph ----------------------------------------------------------------------------------------- */
 
+/* But for .notdef, which nobody asks for. */
+static void count_proof(mt_row *row, const mt_morph *morph) {
+    pthread_mutex_lock(&row->lock);
+    row->prepared++;
+    row->proved += morph->proved;
+    pthread_mutex_unlock(&row->lock);
+}
+
 static mt_status take(mt_glyph_task *task, const bool *wanted) {
     const mt_making *making = task->making;
     mt_status status = MT_OK, prepared = mt_pair_prepare(making->row, task->step, task->a, task->b,
                                                          task->scratch, &task->pair);
     if (prepared == MT_NO_MEMORY) return prepared;
+    if (prepared == MT_OK && task->glyph != 0 && task->b != MT_NO_PARTNER)
+        count_proof(making->row, &task->pair.morph);
     for (int i = 0; i < making->sink_count && status == MT_OK; i++)
         if (wanted[i]) status = making->sinks[i].take(task, prepared, making->sinks[i].user);
     return status;

@@ -37,6 +37,8 @@ typedef struct mt_row {
     mt_given_pairs pairs; /* empty: none are given */
     bool alternates;      /* of wanted characters, also those that text has to ask for */
     int unblended;        /* glyphs of the last fonts */
+    int prepared,
+        proved; /* glyphs that were prepared since a font was begun; those with a topology that is proved for every T */
     mt_glyph_failed failed;
     mt_glyph_noted failure, kept; /* of glyphs that could not be blended, and of those without a partner */
     mt_left_out_noted left_out;

@@ -138,9 +138,11 @@ static void put_summary(mt_page *page) {
                sum->methods[MT_REPORT_LINKED], sum->methods[MT_REPORT_BOTH]);
     put_percent(page, "Components and holes stay in the range of the two fonts’ in ",
                 mt_report_share(report, sum->in_range));
-    put_percent(page, " of the glyphs; ink does, or leaves it by no more than its limit, in ",
+    put_percent(page, " of the glyphs; their ink does, or leaves it by no more than its limit, in ",
                 mt_report_share(report, sum->ink_near));
-    put(page, ".</p>\n");
+    put_format(page,
+               ". That they stay so at every T, not only at the places measured, is proved for %d.</p>\n",
+               sum->proved);
 }
 
 static void put_legend(mt_page *page) {

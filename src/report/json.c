@@ -40,6 +40,7 @@ static void add_summary(mt_json *json, const mt_report *report) {
     mt_json_int(json, "unblended", report->unblended_count);
     for (int i = 0; i < 3; i++)
         mt_json_int(json, mt_report_method_name((mt_report_method)i), sum->methods[i]);
+    mt_json_int(json, "proved", sum->proved);
     mt_json_number(json, "counts_in_range", mt_report_share(report, sum->in_range));
     mt_json_number(json, "ink_in_range", mt_report_share(report, sum->ink_near));
     mt_json_object_end(json);
@@ -85,6 +86,7 @@ static void add_end(mt_json *json, const char *key, const mt_topology *ink,
 
 static void add_figures(mt_json *json, const mt_report_glyph *glyph) {
     mt_json_text(json, "method", mt_report_method_name(glyph->method));
+    mt_json_bool(json, "proved", glyph->proved);
     add_end(json, "a", &glyph->ink_a, &glyph->drawing_a);
     add_end(json, "b", &glyph->ink_b, &glyph->drawing_b);
     mt_json_array(json, "between");

@@ -128,7 +128,8 @@ static mt_report_method method_of(const mt_morph *morph) {
 
 mt_status mt_report_measure(const mt_glyph_pair *pair, const mt_params *params, int units, mt_arena *arena,
                             mt_report_glyph *glyph) {
-    mt_report_glyph made = {.measured = true, .of = glyph->of, .method = method_of(&pair->morph)};
+    mt_report_glyph made = {
+        .measured = true, .of = glyph->of, .method = method_of(&pair->morph), .proved = pair->morph.proved};
     mt_arena_place before = mt_arena_mark(arena);
     mt_morph morph = unturned(&pair->morph);
     mt_onlooker *onlooker;

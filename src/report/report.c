@@ -28,6 +28,7 @@ static void summarise(mt_report *report) {
         sum->flagged += glyph->flags != 0;
         sum->failed += failed;
         if (!failed) sum->methods[glyph->method]++;
+        sum->proved += report->glyphs[i].proved;
         sum->in_range += mt_report_counts_in_range(glyph);
         sum->ink_near += mt_report_ink_in_range(glyph);
     }

@@ -65,6 +65,7 @@ typedef struct mt_report_glyph {
     mt_pairing of;    /* these glyphs, with the first character that leads here, or whose form it is */
     mt_status status; /* other than MT_OK: all that follows but flags and severity is 0 */
     mt_report_method method;
+    bool proved;              /* counts are in the ends' range at every T, not only where they are measured */
     mt_topology ink_a, ink_b; /* as the fonts draw them */
     mt_topology ink[MT_REPORT_STEPS];
     mt_appearance seen[MT_REPORT_STEPS];                  /* of each place by itself */
@@ -127,6 +128,7 @@ void mt_report_figures_free(mt_report_figures *figures); /* all zero is fine */
 typedef struct mt_report_summary {
     int flagged, failed;
     int methods[3]; /* glyphs that did not fail, by mt_report_method */
+    int proved;     /* glyphs whose counts are proved to be in the ends' range at every T */
     int in_range;   /* glyphs whose components and holes are in the ends' range at every place */
     int ink_near;   /* glyphs whose ink is within MT_INK_EXCESS of it */
 } mt_report_summary;

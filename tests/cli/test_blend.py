@@ -189,6 +189,7 @@ class Fonts(cli.Test):
         said = self.made('blend', cli.SANS_BOLD, cli.SERIF, '--text', 'a', '-v', '-o', 'x.ttf')
         self.assertTrue(any('DejaVu Sans Bold' in line for line in said), said)
         self.assertTrue(any('x.ttf' in line for line in said), said)
+        self.assertTrue(any('topology proved for every T of 1 out of 1 glyphs' in line for line in said), said)
 
     def test_slant_is_measured_given_or_left_out(self):
         """Nimbus Sans and its italic, which leans by 12 degrees."""

@@ -35,6 +35,9 @@ class Data(cli.Test):
         for method in ('aligned', 'linked', 'both'):
             self.assertEqual(summary[method], sum(glyph.get('method') == method for glyph in glyphs))
         made = [glyph for glyph in glyphs if not has_flag(glyph, 'failed')]
+        proved = [glyph for glyph in made if glyph['proved']]
+        self.assertEqual(summary['proved'], len(proved))
+        self.assertEqual([glyph for glyph in proved if any(self.parts(glyph))], [])
         inside = sum(not any(self.parts(glyph)) for glyph in made)
         self.assertAlmostEqual(summary['counts_in_range'], inside / len(glyphs), places=8)
         inside = sum(all(place['ink_excess'] <= data['limits']['ink'] for place in glyph['between']) for glyph in made)
@@ -84,6 +87,7 @@ class Data(cli.Test):
             for place in glyphs[character]['between'] + [glyphs[character]['a'], glyphs[character]['b']]:
                 self.assertEqual((place['components'], place['holes']), (components, holes), character)
         self.assertFalse(has_flag(glyphs['H'], *FLAGS))
+        self.assertEqual(data['summary']['proved'], len(glyphs))
 
     def test_letters_and_digits_need_no_look(self):
         data = self.report('--text', string.ascii_letters + string.digits)
@@ -101,6 +105,7 @@ class Data(cli.Test):
     def test_the_method_of_the_paper(self):
         data = self.report('--text', 'Rg', '--method', 'paper')
         self.assertEqual((data['method'], data['summary']['linked']), ('paper', 2))
+        self.assertEqual(data['summary']['proved'], 0)
 
     def test_the_worst_come_first(self):
         data = self.report('--text', '一形永', '--method', 'paper', fonts=(cli.ZENHEI, cli.UKAI))
