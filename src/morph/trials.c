@@ -172,6 +172,6 @@ mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *
         status = as_far_as_steps_go(mt_keep_counters(&choice.best), arena);
     if (status != MT_OK) return status;
     *morph = *choice.best.morph;
-    morph->proved = choice.best.error.proved && choice.best.error.parts == 0;
+    morph->proved = choice.best.error.proved && choice.best.error.stays;
     return MT_OK;
 }

@@ -68,13 +68,13 @@ static mt_status look(const mt_morph *morph, const mt_params *params, uint32_t c
     mt_status status = mt_morph_topology_error(morph, INT_MAX, params, arena, &error);
     if (status == MT_OK) status = sample(morph, params, arena, &all, &twentieths);
     if (status != MT_OK) return status;
-    bool stays = error.proved && error.parts == 0;
+    bool stays = error.proved && error.stays;
     sum->glyphs++;
     sum->proved += error.proved;
     sum->in_range += stays;
     sum->sampled += all > 0;
     sum->between += all > 0 && twentieths == 0;
-    sum->proved_only += error.proved && error.parts > 0 && all == 0;
+    sum->proved_only += error.proved && !error.stays && all == 0;
     sum->contradicted += stays && all > 0;
     if (stays && all > 0) printf("U+%04X: proved, and out of range at %d places\n", c, all);
     return MT_OK;

@@ -12,7 +12,6 @@
 
 #include "geometry/limits.h"
 #include "morph/check/contour_origin.h"
-#include "morph/check/lulls.h"
 #include "morph/fit/contour_pair.h"
 
 /* Contours in clusters: those that share a component at either end. */
@@ -100,11 +99,11 @@ static mt_status rings_of(const mt_clusters *c, int one, int other, double t, mt
 }
 
 /* The number of their components. */
-static mt_status components_of(const mt_clusters *c, int one, int other, double t, int *count) {
+static mt_status components_of(const mt_clusters *c, int one, int other, int place, int *count) {
     mt_arena_place before = mt_arena_mark(c->m->arena);
     mt_rings rings;
     mt_shape shape;
-    mt_status status = rings_of(c, one, other, t, &rings);
+    mt_status status = rings_of(c, one, other, mt_topology_position(c->m->morph, place), &rings);
     if (status == MT_OK) status = mt_mend_union(c->m, &rings, MT_POSITIVE, &shape);
     if (status == MT_OK) *count = mt_topology_of(&shape).components;
     mt_arena_rewind(c->m->arena, before);
@@ -114,9 +113,7 @@ static mt_status components_of(const mt_clusters *c, int one, int other, double 
 /* Those of a cluster by itself; a displacement does not change them. */
 static mt_status count_alone(const mt_clusters *c, int cluster, int place, int *count) {
     int *counted = &c->alone[cluster * MT_TOPOLOGY_STEPS + place];
-    mt_status status = MT_OK;
-    if (*counted == 0)
-        status = components_of(c, cluster, cluster, mt_topology_position(c->m->morph, place), counted);
+    mt_status status = *counted == 0 ? components_of(c, cluster, cluster, place, counted) : MT_OK;
     *count = *counted;
     return status;
 }
@@ -125,72 +122,19 @@ static mt_status touch_at(const mt_clusters *c, int p, int q, int place, bool *t
     int alone = 0, beside = 0, together = 0;
     mt_status status = count_alone(c, p, place, &alone);
     if (status == MT_OK) status = count_alone(c, q, place, &beside);
-    if (status == MT_OK) status = components_of(c, p, q, mt_topology_position(c->m->morph, place), &together);
+    if (status == MT_OK) status = components_of(c, p, q, place, &together);
     *touch = together < alone + beside;
     return status;
 }
 
-/* ---- touching between the places ------------------------------------------------------------------------------- */
-
-/* A morph of two clusters' contours alone. */
-static mt_status morph_of(const mt_clusters *c, int p, int q, mt_morph *pair) {
-    const mt_morph *all = c->m->morph;
-    *pair =
-        (mt_morph){.contours = mt_arena_new(c->m->arena, (size_t)all->contour_count, sizeof *pair->contours)};
-    if (!pair->contours) return MT_NO_MEMORY;
-    for (int i = 0; i < all->contour_count; i++)
-        if (c->of[i] == p || c->of[i] == q) pair->contours[pair->contour_count++] = all->contours[i];
-    return MT_OK;
-}
-
-static mt_status find_lulls(const mt_clusters *c, int p, int q, mt_lulls *lulls) {
-    mt_morph pair;
-    mt_moving_edges edges;
-    double tolerance = mt_grid_units(c->m->params->tolerance) / MT_OVERLAP_CARE;
-    mt_status status = morph_of(c, p, q, &pair);
-    if (status == MT_OK) status = mt_moving_edges_of(&pair, tolerance, c->m->arena, &edges);
-    if (status == MT_OK) status = mt_find_lulls(&edges, tolerance, c->m->arena, lulls);
-    if (status == MT_TOO_LARGE) *lulls = (mt_lulls){0};
-    return status == MT_TOO_LARGE ? MT_OK : status;
-}
-
-static bool has_place(const mt_lull *lull) {
-    for (int i = 1; i <= MT_TOPOLOGY_STEPS; i++) {
-        double t = (double)i / (MT_TOPOLOGY_STEPS + 1);
-        if (lull->from < t && t < lull->to) return true;
-    }
-    return false;
-}
-
-static mt_status touch_during(const mt_clusters *c, int p, int q, const mt_lull *lull, bool *touch) {
-    int alone = 0, beside = 0, together = 0;
-    double t = lull->from + (lull->to - lull->from) / 2;
-    mt_status status = components_of(c, p, p, t, &alone);
-    if (status == MT_OK) status = components_of(c, q, q, t, &beside);
-    if (status == MT_OK) status = components_of(c, p, q, t, &together);
-    *touch = together < alone + beside;
-    return status;
-}
-
-/* Whether two clusters that touch at no place touch between two of them. */
-static mt_status touch_between(const mt_clusters *c, int p, int q, bool *touch) {
-    mt_arena_place before = mt_arena_mark(c->m->arena);
-    mt_lulls lulls;
-    mt_status status = find_lulls(c, p, q, &lulls);
-    for (int i = 0; status == MT_OK && !*touch && i < lulls.count; i++)
-        if (!has_place(&lulls.lulls[i])) status = touch_during(c, p, q, &lulls.lulls[i], touch);
-    mt_arena_rewind(c->m->arena, before);
-    return status;
-}
-
-/* Whether two clusters touch at any T between the ends. */
+/* Whether two clusters touch at any place between the ends. */
 static mt_status do_touch(const mt_clusters *c, int p, int q, bool *touch) {
     mt_status status = MT_OK;
     *touch = false;
     if (!boxes_meet(c->boxes[p], c->boxes[q])) return MT_OK;
     for (int i = 0; status == MT_OK && !*touch && i < MT_TOPOLOGY_STEPS; i++)
         status = touch_at(c, p, q, i, touch);
-    return status == MT_OK && !*touch ? touch_between(c, p, q, touch) : status;
+    return status;
 }
 
 /* ---- displacing ---------------------------------------------------------------------------------------------- */

@@ -80,8 +80,10 @@ typedef struct mt_counting {
     int enough;
     mt_arena *arena;
     mt_lulls lulls;
-    bool *counted; /* of each lull */
-    mt_topology_error sum;
+    bool *counted;                /* of each lull */
+    double parts, merged, opened; /* as of mt_topology_error, not rounded */
+    bool stays, proved;
+    int64_t corners;
 } mt_counting;
 
 /* What was seen at one place. */
@@ -131,8 +133,8 @@ static mt_status error_at(mt_counting *c, double t, const mt_params *params, mt_
         if (status == MT_OK) at = mt_topology_of(&meant);
         if (status == MT_OK) *error = worse(*error, error_of(c, &at));
     }
-    if (status == MT_OK) c->sum.corners += mt_rings_corners(&rings);
-    if (status == MT_OK && error->in_doubt) c->sum.proved = false;
+    if (status == MT_OK) c->corners += mt_rings_corners(&rings);
+    if (status == MT_OK && error->in_doubt) c->proved = false;
     mt_arena_rewind(c->arena, before);
     return status;
 }
@@ -144,17 +146,23 @@ static mt_status look(mt_counting *c, double t, mt_place_error *error) {
     return status == MT_OK && error->parts > 0 ? error_at(c, t, &c->fine, error) : status;
 }
 
-static void add(mt_counting *c, const mt_place_error *error, int places) {
-    c->sum.parts += places * error->parts;
-    c->sum.merged += places * error->merged;
-    c->sum.opened += places * error->opened;
+/* twentieths: of the way, for which a place stands. */
+static void add(mt_counting *c, const mt_place_error *error, double twentieths) {
+    c->parts += twentieths * error->parts;
+    c->merged += twentieths * error->merged;
+    c->opened += twentieths * error->opened;
+    if (error->parts > 0) c->stays = false;
 }
 
-static mt_status count_place(mt_counting *c, double t) {
+static mt_status count_place(mt_counting *c, double t, double twentieths) {
     mt_place_error here;
     mt_status status = look(c, t, &here);
-    if (status == MT_OK) add(c, &here, 1);
+    if (status == MT_OK) add(c, &here, twentieths);
     return status;
+}
+
+static bool is_enough(const mt_counting *c) {
+    return c->parts >= c->enough;
 }
 
 /* ---- lulls ----------------------------------------------------------------------------------------------------- */
@@ -162,10 +170,6 @@ static mt_status count_place(mt_counting *c, double t) {
 /* Place number k in the order of T, 1 … MT_TOPOLOGY_STEPS. */
 static double place_at(int k) {
     return (double)k / (MT_TOPOLOGY_STEPS + 1);
-}
-
-static double place_in(const mt_lull *lull, double share) {
-    return lull->from + (lull->to - lull->from) * share;
 }
 
 /* Whether every place has the rings of any other, all larger than crumbs and wider than seams. */
@@ -180,8 +184,8 @@ static mt_status begin(mt_counting *c) {
         status = mt_find_lulls(&edges, mt_grid_units(c->fine.tolerance), c->arena, &c->lulls);
     if (status == MT_TOO_LARGE) c->lulls = (mt_lulls){0};
     if (status != MT_OK) return status == MT_TOO_LARGE ? MT_OK : status;
-    c->sum.corners = edges.edge_count;
-    c->sum.proved = c->lulls.known;
+    c->corners = edges.edge_count;
+    c->proved = c->lulls.known;
     c->lulls.plain = is_all_alike(&edges, &c->lulls);
     c->counted = mt_arena_new(c->arena, (size_t)c->lulls.count, sizeof *c->counted);
     return c->counted ? MT_OK : MT_NO_MEMORY;
@@ -197,16 +201,15 @@ static bool is_same(const mt_place_error *p, const mt_place_error *q) {
 static mt_status count_others(mt_counting *c, int first, int last, int k) {
     mt_status status = MT_OK;
     for (int i = first + 1; status == MT_OK && i < last; i++)
-        if (i != k) status = count_place(c, place_at(i));
+        if (i != k) status = count_place(c, place_at(i), 1);
     return status;
 }
 
 /* All places of a lull, of which k is the one nearest to half-way. The edges lie alike at all, so that only crumbs can make a difference:
- * if there are none at the first place, the last and this one, and all three are alike, so are the others. Where crumbs may hide an error at each
- * place, the lull is looked at in quarters too. */
+ * if there are none at the first place, the last and this one, and all three are alike, so are the others. */
 static mt_status count_lull(mt_counting *c, const mt_lull *lull, int k) {
     mt_place_error at_k, at_first, at_last;
-    int first = k, last = k, before = c->sum.parts;
+    int first = k, last = k;
     while (first > 1 && place_at(first - 1) > lull->from) first--;
     while (last < MT_TOPOLOGY_STEPS && place_at(last + 1) < lull->to) last++;
     mt_status status = look(c, place_at(k), &at_k);
@@ -220,10 +223,7 @@ static mt_status count_lull(mt_counting *c, const mt_lull *lull, int k) {
     if (alike) return MT_OK;
     if (first < k) add(c, &at_first, 1);
     if (last > k) add(c, &at_last, 1);
-    status = count_others(c, first, last, k);
-    for (int i = 1; status == MT_OK && i < 4 && c->sum.parts == before; i++)
-        status = count_place(c, place_in(lull, i / 4.0));
-    return status;
+    return count_others(c, first, last, k);
 }
 
 static int lull_at(const mt_counting *c, double t) {
@@ -235,16 +235,19 @@ static int lull_at(const mt_counting *c, double t) {
 /* A place, with all others of its lull; nothing if it is counted. */
 static mt_status count_around(mt_counting *c, double t) {
     int lull = lull_at(c, t);
-    if (lull < 0) return count_place(c, t);
+    if (lull < 0) return count_place(c, t, 1);
     if (c->counted[lull]) return MT_OK;
     c->counted[lull] = true;
     return count_lull(c, &c->lulls.lulls[lull], (int)lround(t * (MT_TOPOLOGY_STEPS + 1)));
 }
 
+/* The lulls that have no place: each stands for its own length. */
 static mt_status count_between(mt_counting *c) {
     mt_status status = MT_OK;
-    for (int i = 0; status == MT_OK && i < c->lulls.count && c->sum.parts < c->enough; i++)
-        if (!c->counted[i]) status = count_place(c, place_in(&c->lulls.lulls[i], 0.5));
+    for (int i = 0; status == MT_OK && i < c->lulls.count && !is_enough(c); i++) {
+        double from = c->lulls.lulls[i].from, length = c->lulls.lulls[i].to - from;
+        if (!c->counted[i]) status = count_place(c, from + length / 2, length * (MT_TOPOLOGY_STEPS + 1));
+    }
     return status;
 }
 
@@ -255,14 +258,17 @@ mt_status mt_morph_topology_error(const mt_morph *morph, int enough, const mt_pa
                      .params = params,
                      .fine = *params,
                      .enough = enough,
-                     .arena = arena};
+                     .arena = arena,
+                     .stays = true};
     mt_arena_place before = mt_arena_mark(arena);
     c.fine.tolerance /= MT_OVERLAP_CARE;
     mt_status status = begin(&c);
-    for (int i = 0; status == MT_OK && i < MT_TOPOLOGY_STEPS && c.sum.parts < enough; i++)
+    for (int i = 0; status == MT_OK && i < MT_TOPOLOGY_STEPS && !is_enough(&c); i++)
         status = count_around(&c, mt_topology_position(morph, i));
     if (status == MT_OK) status = count_between(&c);
     mt_arena_rewind(arena, before);
-    if (status == MT_OK) *error = c.sum;
+    if (status == MT_OK)
+        *error =
+            (mt_topology_error){(int)c.parts, (int)c.merged, (int)c.opened, c.stays, c.proved, c.corners};
     return status;
 }

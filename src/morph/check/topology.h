@@ -22,11 +22,14 @@ double mt_area_excess(double area, double a, double b);
  * so that the order does not depend on which end is A. */
 double mt_topology_position(const mt_morph *morph, int number);
 
-/* The error of a morph at MT_TOPOLOGY_STEPS places between its ends, and at one more of each lull (check/lulls.h) that has none of them. */
+/* The error of a morph between its ends: at MT_TOPOLOGY_STEPS places, of which each stands for a twentieth of the way, and at one more of each
+ * lull (check/lulls.h) that has none of them, which stands for its length. */
 typedef struct mt_topology_error {
-    int parts;  /* components and holes out of the ends' range, summed over all places */
+    int parts; /* components and holes out of the ends' range, times twentieths; rounded down, so that what is
+                        over in less than one counts nothing */
     int merged; /* of these, components missing: fewer than at either end */
     int opened; /* and holes missing */
+    bool stays; /* no place leaves the range, however short its lull */
     bool
         proved; /* every T between the ends has the topology of a place that was looked at, but for moments */
     int64_t corners; /* of all blends looked at to find the error */
