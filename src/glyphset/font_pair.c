@@ -86,33 +86,6 @@ static mt_status pair_by_text(mt_text_pairs *pairs, mt_codes *wanted, const mt_c
     return mt_text_pairs_apply(pairs, match);
 }
 
-/* A glyph that is wanted by itself is paired as in a font of all characters: any text may lead to it. */
-static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_charset_request *request, mt_codes *wanted,
-                             const mt_sequences *sequences, const mt_gsub *gsub_a,
-                             const mt_math_table *math_a, mt_arena *arena, mt_glyph_match *match) {
-    const mt_charset_request any = {.pairs = request->pairs, .other = request->other};
-    mt_codes all = {0};
-    mt_gsub gsub_b;
-    mt_math_table math_b = {0};
-    mt_text_pairs pairs = {0};
-    mt_status status = mt_glyph_match_new(a, b, arena, match);
-    if (status == MT_OK) status = mt_codes_list(a, b, &any, arena, &all);
-    if (status == MT_OK) pair_given(request, wanted, &all, match);
-    if (status == MT_OK) status = mt_gsub_open(b, arena, &gsub_b);
-    if (status == MT_OK) status = mt_math_table_open(b, arena, &math_b);
-    if (status == MT_OK)
-        status = pair_by_text(&pairs, wanted, &all, request->glyph_count ? &all : wanted, sequences, gsub_a,
-                              &gsub_b, arena, match);
-    mt_text_pairs_close(&pairs);
-    if (status == MT_OK) mt_match_math(match, math_a, &math_b);
-    if (status == MT_OK) status = mt_match_names(match, a, b, arena);
-    if (status == MT_OK) status = mt_match_forms(match, gsub_a, &gsub_b, arena);
-    if (status == MT_OK) mt_match_math(match, math_a, &math_b); /* of what names and features have paired */
-    if (status == MT_OK && request->varies) mt_match_math_hold(match, math_a, &math_b);
-    if (status == MT_OK) status = match->ink_a.status;
-    return status == MT_OK ? match->ink_b.status : status;
-}
-
 /* Adds what A's substitutions and its MATH lead to: all of it, or what nobody has to ask for. */
 static mt_status reach(const mt_gsub *gsub, const mt_math_table *math, bool asked_for, bool fractions,
                        bool *kept) {
@@ -124,6 +97,60 @@ static mt_status reach(const mt_gsub *gsub, const mt_math_table *math, bool aske
         more = mt_match_math_reach(math, kept);
     }
     return status;
+}
+
+/* Characters, sequences and glyphs that are wanted, and .notdef. */
+static mt_status list_wanted(const mt_charset_request *request, const mt_font_pair *pair, mt_arena *arena,
+                             bool **kept) {
+    bool *list = mt_arena_new(arena, (size_t)pair->match.count_a + 1, sizeof *list);
+    if (!list) return MT_NO_MEMORY;
+    list[0] = true;
+    for (int i = 0; i < pair->codes.count; i++) list[pair->codes.list[i].a] = true;
+    for (int i = 0; i < pair->sequences.count; i++) list[pair->sequences.list[i].a->glyph] = true;
+    for (int i = 0; i < request->glyph_count; i++) list[request->glyphs[i]] = true;
+    *kept = list;
+    return MT_OK;
+}
+
+static bool is_limited(const mt_charset_request *request, const mt_font_pair *pair) {
+    return mt_request_is_limited(request) || mt_font_is_without_layout(pair->match.a);
+}
+
+/* The glyphs that may be kept of a limited request, before any of them is paired. */
+static mt_status find_reached(const mt_charset_request *request, const mt_gsub *gsub,
+                              const mt_math_table *math, mt_arena *arena, mt_font_pair *pair) {
+    if (!is_limited(request, pair)) return MT_OK;
+    mt_status status = list_wanted(request, pair, arena, &pair->match.reached);
+    return status == MT_OK ? reach(gsub, math, true, true, pair->match.reached) : status;
+}
+
+/* A glyph that is wanted by itself is paired as in a font of all characters: any text may lead to it. */
+static mt_status pair_glyphs(mt_font *a, mt_font *b, const mt_charset_request *request, const mt_gsub *gsub_a,
+                             const mt_math_table *math_a, mt_arena *arena, mt_font_pair *pair) {
+    mt_codes *wanted = &pair->codes;
+    mt_glyph_match *match = &pair->match;
+    const mt_charset_request any = {.pairs = request->pairs, .other = request->other};
+    mt_codes all = {0};
+    mt_gsub gsub_b;
+    mt_math_table math_b = {0};
+    mt_text_pairs pairs = {0};
+    mt_status status = mt_glyph_match_new(a, b, arena, match);
+    if (status == MT_OK) status = find_reached(request, gsub_a, math_a, arena, pair);
+    if (status == MT_OK) status = mt_codes_list(a, b, &any, arena, &all);
+    if (status == MT_OK) pair_given(request, wanted, &all, match);
+    if (status == MT_OK) status = mt_gsub_open(b, arena, &gsub_b);
+    if (status == MT_OK) status = mt_math_table_open(b, arena, &math_b);
+    if (status == MT_OK)
+        status = pair_by_text(&pairs, wanted, &all, request->glyph_count ? &all : wanted, &pair->sequences,
+                              gsub_a, &gsub_b, arena, match);
+    mt_text_pairs_close(&pairs);
+    if (status == MT_OK) mt_match_math(match, math_a, &math_b);
+    if (status == MT_OK) status = mt_match_names(match, a, b, arena);
+    if (status == MT_OK) status = mt_match_forms(match, gsub_a, &gsub_b, arena);
+    if (status == MT_OK) mt_match_math(match, math_a, &math_b); /* of what names and features have paired */
+    if (status == MT_OK && request->varies) mt_match_math_hold(match, math_a, &math_b);
+    if (status == MT_OK) status = match->ink_a.status;
+    return status == MT_OK ? match->ink_b.status : status;
 }
 
 /* What A makes of the glyphs that are kept. Only of wanted characters there are forms that nobody asks for. */
@@ -139,15 +166,11 @@ static mt_status keep_forms(const mt_charset_request *request, const mt_gsub *gs
 static mt_status keep_glyphs(const mt_charset_request *request, const mt_gsub *gsub,
                              const mt_math_table *math, mt_arena *arena, mt_font_pair *pair) {
     const mt_glyph_match *match = &pair->match;
-    bool *kept = pair->kept = mt_arena_new(arena, (size_t)match->count_a + 1, sizeof *kept);
-    if (!kept) return MT_NO_MEMORY;
-    kept[0] = true;
-    for (int i = 0; i < pair->codes.count; i++) kept[pair->codes.list[i].a] = true;
-    for (int i = 0; i < pair->sequences.count; i++) kept[pair->sequences.list[i].a->glyph] = true;
-    bool limited = mt_request_is_limited(request) || mt_font_is_without_layout(match->a);
-    for (int i = 0; i < request->glyph_count; i++) kept[request->glyphs[i]] = true;
+    mt_status status = list_wanted(request, pair, arena, &pair->kept);
+    if (status != MT_OK) return status;
+    bool limited = is_limited(request, pair);
     for (int i = 0; i < match->count_a && !limited; i++)
-        kept[i] |= request->set == MT_GLYPHS_FIRST || match->partner[i] != MT_NO_PARTNER;
+        pair->kept[i] |= request->set == MT_GLYPHS_FIRST || match->partner[i] != MT_NO_PARTNER;
     return keep_forms(request, gsub, math, arena, pair);
 }
 
@@ -164,8 +187,7 @@ mt_status mt_font_pair_make(mt_font *a, mt_font *b, const mt_charset_request *re
     status = list_sequences(a, b, &made.codes, request->set, arena, &made.sequences);
     if (status == MT_OK) status = mt_gsub_open(a, arena, &gsub);
     if (status == MT_OK) status = mt_math_table_open(a, arena, &math);
-    if (status == MT_OK)
-        status = pair_glyphs(a, b, request, &made.codes, &made.sequences, &gsub, &math, arena, &made.match);
+    if (status == MT_OK) status = pair_glyphs(a, b, request, &gsub, &math, arena, &made);
     if (status == MT_OK) status = keep_glyphs(request, &gsub, &math, arena, &made);
     if (status == MT_OK) *pair = made;
     return status;

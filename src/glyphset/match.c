@@ -33,6 +33,7 @@ bool mt_match_pair(mt_glyph_match *match, uint32_t a, uint32_t b, uint32_t origi
 bool mt_match_form(mt_glyph_match *match, uint32_t a, uint32_t b, uint32_t origin) {
     if (!are_glyphs(match, a, b)) return false;
     if (match->partner[a] != MT_NO_PARTNER) return false;
-    bool alike = mt_inks_blank(&match->ink_a, a) == mt_inks_blank(&match->ink_b, b);
-    return alike && mt_match_pair(match, a, b, origin);
+    bool matters = !match->reached || match->reached[a];
+    if (matters && mt_inks_blank(&match->ink_a, a) != mt_inks_blank(&match->ink_b, b)) return false;
+    return mt_match_pair(match, a, b, origin);
 }

@@ -20,7 +20,8 @@ typedef struct mt_glyph_match {
     uint32_t *partner; /* of each of A's glyphs: B's glyph, of the font or composed, or MT_NO_PARTNER */
     uint32_t *
         origin; /* of each of A's glyphs: the character that leads here, or whose form it is; 0: none known */
-    bool *taken; /* for each of B's glyphs: it is a partner */
+    bool *taken;   /* for each of B's glyphs: it is a partner */
+    bool *reached; /* for each of A's glyphs: the new font may have it; NULL: any of them */
     mt_inks ink_a, ink_b;
 } mt_glyph_match;
 
@@ -30,7 +31,8 @@ mt_status mt_glyph_match_new(mt_font *a, mt_font *b, mt_arena *arena, mt_glyph_m
 /* Pairs two glyphs unless A's has a partner; whether it had none. */
 bool mt_match_pair(mt_glyph_match *match, uint32_t a, uint32_t b, uint32_t origin);
 
-/* The same for two glyphs that no character leads to: a blank glyph is not paired with one that has ink. */
+/* The same for two glyphs that no character leads to: a blank glyph is not paired with one that has ink. Of those that are not
+ * reached this is not asked, since all outlines of a font of 65 535 glyphs take a second to read. */
 bool mt_match_form(mt_glyph_match *match, uint32_t a, uint32_t b, uint32_t origin);
 
 /* match_text.c: what both fonts' own shaping makes of the same texts. */
