@@ -1,5 +1,7 @@
 #include "mesh/contact.h"
 
+#include <stdlib.h>
+
 typedef struct mt_corners {
     mt_grid_point at[3];
 } mt_corners;
@@ -93,4 +95,31 @@ bool mt_triangles_touch(const mt_grid_mesh *grid, mt_triangle a, mt_triangle b) 
     int other_a = 3 - sum_a, other_b = 3 - sum_b; /* those that are not shared */
     from_a = corners_from(grid, a, (other_a + 1) % 3);
     return touch_beyond_edge(&from_a, grid->at[b.at[other_b]]);
+}
+
+/* ---- slips ---------------------------------------------------------------------------------------------- */
+
+/* How far `t` reaches through the plane of `through`: on the side where it reaches less far, and in units of the longest coordinate of
+ * the plane's normal. */
+static bool reaches_far(const mt_corners *through, const mt_corners *t, bool *crosses) {
+    mt_grid_normal n = mt_grid_normal_of(through->at[0], through->at[1], through->at[2]);
+    mt_int128 above = 0, below = 0;
+    for (int i = 0; i < 3; i++) {
+        mt_grid_point p = t->at[i], o = through->at[0];
+        mt_int128 height =
+            (mt_int128)n.x * (p.x - o.x) + (mt_int128)n.y * (p.y - o.y) + (mt_int128)n.z * (p.z - o.z);
+        if (height > above) above = height;
+        if (-height > below) below = -height;
+    }
+    int64_t longest = llabs(n.x) > llabs(n.y) ? llabs(n.x) : llabs(n.y);
+    if (llabs(n.z) > longest) longest = llabs(n.z);
+    *crosses = above > 0 && below > 0;
+    return (above < below ? above : below) > (mt_int128)longest * MT_SLIP;
+}
+
+bool mt_triangles_slip(const mt_grid_mesh *grid, mt_triangle a, mt_triangle b) {
+    mt_corners of_a = corners_from(grid, a, 0), of_b = corners_from(grid, b, 0);
+    bool a_crosses, b_crosses, a_far = reaches_far(&of_b, &of_a, &a_crosses),
+                               b_far = reaches_far(&of_a, &of_b, &b_crosses);
+    return a_crosses && b_crosses && !(a_far && b_far);
 }

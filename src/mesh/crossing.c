@@ -21,6 +21,7 @@ typedef struct mt_box_node {
 } mt_box_node;
 
 typedef struct mt_box_tree {
+    const mt_surface *surface;
     const mt_grid_mesh *grid;
     mt_box3 *boxes; /* of each triangle */
     int *order;     /* triangles, as the leaves have them */
@@ -109,9 +110,10 @@ static int make_node(mt_box_tree *tree, int first, int count) {
     return number;
 }
 
-static mt_status make_tree(const mt_grid_mesh *grid, mt_arena *arena, mt_box_tree *tree) {
+static mt_status make_tree(const mt_surface *surface, mt_arena *arena, mt_box_tree *tree) {
+    const mt_grid_mesh *grid = surface->grid;
     int count = grid->mesh.n_triangles;
-    *tree = (mt_box_tree){.grid = grid, .found = {-1, -1}};
+    *tree = (mt_box_tree){.surface = surface, .grid = grid, .found = {-1, -1}};
     tree->boxes = mt_arena_new(arena, (size_t)count, sizeof *tree->boxes);
     tree->order = mt_arena_new(arena, (size_t)count, sizeof *tree->order);
     tree->nodes = mt_arena_new(arena, 2 * (size_t)count, sizeof *tree->nodes);
@@ -130,12 +132,34 @@ static bool is_done(const mt_box_tree *tree) {
     return tree->found[0] >= 0 || tree->pairs > PAIRS_MAX;
 }
 
+static bool has_corner(const mt_box_tree *tree, int triangle, int point) {
+    const int *at = tree->grid->mesh.triangles[triangle].at;
+    return at[0] == point || at[1] == point || at[2] == point;
+}
+
+/* Whether two triangles have a corner in common, or an edge from a corner of one to a corner of the other. */
+static bool are_neighbours(mt_box_tree *tree, int a, int b) {
+    const mt_surface *surface = tree->surface;
+    for (int first = 3 * a; first < 3 * a + 3; first++) {
+        int e = first;
+        if (has_corner(tree, b, mt_surface_start(surface, e))) return true;
+        do {
+            int before = mt_surface_next(mt_surface_next(e));
+            tree->pairs++;
+            if (has_corner(tree, b, mt_surface_start(surface, before))) return true;
+            e = surface->twins[before];
+        } while (e != first);
+    }
+    return false;
+}
+
 static void compare_triangles(mt_box_tree *tree, int a, int b) {
     const mt_triangle *triangles = tree->grid->mesh.triangles;
     tree->pairs++;
     if (is_done(tree) || !boxes_meet(&tree->boxes[a], &tree->boxes[b]) ||
         !mt_triangles_touch(tree->grid, triangles[a], triangles[b]))
         return;
+    if (mt_triangles_slip(tree->grid, triangles[a], triangles[b]) && are_neighbours(tree, a, b)) return;
     tree->found[0] = a < b ? a : b;
     tree->found[1] = a < b ? b : a;
 }
@@ -178,7 +202,7 @@ mt_status mt_surface_check_crossings(const mt_surface *surface, mt_arena *arena,
     char first[MT_PLACE_ROOM], second[MT_PLACE_ROOM];
     mt_arena_place place = mt_arena_mark(arena);
     mt_box_tree tree;
-    mt_status status = make_tree(surface->grid, arena, &tree);
+    mt_status status = make_tree(surface, arena, &tree);
     if (status == MT_OK) compare_nodes(&tree, 0, 0);
     mt_arena_rewind(arena, place);
     if (status != MT_OK) return status;

@@ -307,6 +307,27 @@ static void what_is_no_solid_is_refused_with_its_place(void **state) {
         refuse(text_file(cases[i].text), MT_MESH_OBJ, cases[i].status, cases[i].says);
 }
 
+/* A cube with a pit, whose deepest point lies near the bottom. */
+#define PIT(height)                                                                                          \
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv .4 .3 " height                \
+    "\nf 1 4 3 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 5 6 9\nf 6 7 9\nf 7 8 9\nf 8 5 9\n"
+
+static void a_slip_between_neighbours_is_no_crossing(void **state) {
+    (void)state;
+    static const char *const solids[] = {PIT("1e-4"), PIT("-1e-4")};
+    static const char *const crossing[] = {PIT("0"), PIT("-1e-2")};
+    for (int i = 0; i < 2; i++) {
+        mt_arena arena = {0};
+        mt_mesh mesh;
+        mt_mesh_fault fault;
+        file given = text_file(solids[i]);
+        mt_assert_ok(parse(&given, MT_MESH_OBJ, &arena, &mesh, &fault));
+        assert_int_equal(mesh.n_triangles, 14);
+        mt_arena_release(&arena);
+        refuse(text_file(crossing[i]), MT_MESH_OBJ, MT_NOT_SOLID, "cross or touch");
+    }
+}
+
 static void damaged_files_are_refused(void **state) {
     (void)state;
     file stl = binary_stl();
@@ -423,6 +444,7 @@ int main(void) {
         cmocka_unit_test(doubles_and_slivers_go),
         cmocka_unit_test(shells_are_turned),
         cmocka_unit_test(what_is_no_solid_is_refused_with_its_place),
+        cmocka_unit_test(a_slip_between_neighbours_is_no_crossing),
         cmocka_unit_test(damaged_files_are_refused),
         cmocka_unit_test(what_glb_does_not_hold_is_named),
         cmocka_unit_test(any_damage_ends_in_a_status),
