@@ -7,8 +7,8 @@
 /* Rows of pixels that are drawn in one go, for a bound on memory. */
 enum { BAND = 64 };
 
-/* Rows of samples around a band in which its lines may begin. */
-enum { HALO = MT_LINE_REACH + 1 };
+/* Rows of samples around a band in which its lines may begin, and which tell whether they are lines. */
+enum { HALO = MT_LINE_REACH + 1 + MT_SAMPLES };
 
 typedef struct mt_light {
     mt_vector3 from; /* of length 1 */

@@ -137,6 +137,28 @@ static void lines_are_at_edges_steps_and_creases(void **state) {
     }
 }
 
+/* A strip at 45 degrees between two halves of one face. */
+static void what_is_narrower_than_a_pixel_makes_no_lines(void **state) {
+    (void)state;
+    enum { LINE = 2 * MT_LINE_REACH + 1 };
+    static const struct {
+        double width;
+        int lines;
+    } cases[] = {{0.5, 2}, {4, 4}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        tile tiles[] = {
+            {-10, -10, 0, 10, 0}, {0, -10, cases[i].width, 10, 0}, {cases[i].width, -10, 10, 10, 0}};
+        mt_arena arena = {0};
+        mt_seen_mesh seen;
+        mt_mesh mesh = mesh_of(tiles, 3, &arena);
+        mesh.points[5].z = mesh.points[6].z = cases[i].width;
+        mt_samples samples = take(&mesh, &arena, &seen);
+        assert_in_range(ink_across(&seen, &samples, &arena), (cases[i].lines * LINE) - 2,
+                        cases[i].lines * LINE + 2);
+        mt_arena_release(&arena);
+    }
+}
+
 /* Bands of rows join without a seam: a picture moved by some rows is the same picture. */
 static void bands_leave_no_seam(void **state) {
     (void)state;
@@ -183,6 +205,7 @@ int main(void) {
         cmocka_unit_test(what_faces_away_or_has_no_area_is_not_seen),
         cmocka_unit_test(neighbours_leave_no_gap),
         cmocka_unit_test(lines_are_at_edges_steps_and_creases),
+        cmocka_unit_test(what_is_narrower_than_a_pixel_makes_no_lines),
         cmocka_unit_test(bands_leave_no_seam),
         cmocka_unit_test(the_eye_stands_where_it_is_told),
     };
