@@ -20,9 +20,8 @@
 
 /* ---- one cell ------------------------------------------------------------------------------------------ */
 
-/* Whether a part is done; where it is not, `found` is a deep place. */
-static mt_status is_done(mt_arena *arena, const mt_cells *cells, const mt_part *part, double depth,
-                         bool *done, mt_depth *found) {
+mt_status mt_part_is_done(mt_arena *arena, const mt_cells *cells, const mt_part *part, double depth,
+                          bool *done, mt_depth *found) {
     mt_polytope hull;
     bool ball = false;
     mt_status status = mt_part_is_ball(arena, part, &ball);
@@ -77,7 +76,7 @@ static mt_status refine(mt_arena *arena, mt_cells *cells, int cell, double depth
     mt_part part;
     mt_depth found;
     mt_status status = mt_part_of(arena, cells, cell, -1, &part);
-    if (status == MT_OK) status = is_done(arena, cells, &part, depth, done, &found);
+    if (status == MT_OK) status = mt_part_is_done(arena, cells, &part, depth, done, &found);
     if (status == MT_OK && !*done) status = cut_best(arena, cells, cell, &part, &found);
     return status;
 }
@@ -153,7 +152,7 @@ static mt_status merge_round(mt_cells *cells, double depth, bool *any) {
         int p = neighbours[i].p, q = neighbours[i].q;
         if (merged[p] || merged[q]) continue;
         status = mt_part_of(&scratch, cells, p, q, &part);
-        if (status == MT_OK) status = is_done(&scratch, cells, &part, depth, &done, &found);
+        if (status == MT_OK) status = mt_part_is_done(&scratch, cells, &part, depth, &done, &found);
         if (status == MT_BAD_GEOMETRY) status = MT_OK; /* not a part together */
         if (status == MT_OK && done) {
             mt_cells_merge(cells, p, q);

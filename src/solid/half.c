@@ -63,22 +63,23 @@ static mt_vector3 relative(const mt_box3 *box, mt_vector3 p) {
 
 /* ---- pieces -------------------------------------------------------------------------------------------- */
 
-static mt_status make_piece(mt_arena *arena, mt_half *half, int i, const mt_box3 *box) {
-    mt_part part;
-    mt_status status = mt_part_of(arena, &half->cells, i, -1, &part);
-    if (status == MT_OK) status = mt_piece_of(arena, &part, &half->pieces[i]);
+static mt_status measure_piece(mt_arena *arena, mt_half *half, int i, const mt_box3 *box) {
+    mt_status status = mt_part_of(arena, &half->cells, i, -1, &half->parts[i]);
     if (status != MT_OK) return status;
-    half->places[i] = relative(box, piece_centre(&part, &half->volumes[i]));
+    half->centres[i] = piece_centre(&half->parts[i], &half->volumes[i]);
+    half->places[i] = relative(box, half->centres[i]);
     return MT_OK;
 }
 
-static mt_status make_pieces(mt_arena *arena, mt_half *half, const mt_box3 *box) {
+static mt_status measure_pieces(mt_arena *arena, mt_half *half, const mt_box3 *box) {
     size_t n = (size_t)half->n_pieces;
-    half->pieces = mt_arena_new(arena, n, sizeof *half->pieces);
+    half->parts = mt_arena_new(arena, n, sizeof *half->parts);
     half->places = mt_arena_new(arena, n, sizeof *half->places);
     half->volumes = mt_arena_new(arena, n, sizeof *half->volumes);
     half->meets = mt_arena_new(arena, n * n, sizeof *half->meets);
-    if (!half->pieces || !half->places || !half->volumes || !half->meets) return MT_NO_MEMORY;
+    half->centres = mt_arena_new(arena, n, sizeof *half->centres);
+    if (!half->parts || !half->places || !half->centres || !half->volumes || !half->meets)
+        return MT_NO_MEMORY;
     for (size_t i = 0; i < n; i++) half->meets[i * n + i] = true;
     for (int w = 0; w < half->cells.n_walls; w++) {
         const mt_wall *wall = &half->cells.walls[w];
@@ -87,7 +88,16 @@ static mt_status make_pieces(mt_arena *arena, mt_half *half, const mt_box3 *box)
         half->meets[(size_t)wall->in_front * n + (size_t)wall->behind] = true;
     }
     mt_status status = MT_OK;
-    for (int i = 0; status == MT_OK && i < half->n_pieces; i++) status = make_piece(arena, half, i, box);
+    for (int i = 0; status == MT_OK && i < half->n_pieces; i++) status = measure_piece(arena, half, i, box);
+    return status;
+}
+
+mt_status mt_half_make_pieces(mt_arena *arena, mt_half *half) {
+    mt_status status = MT_OK;
+    half->pieces = mt_arena_new(arena, (size_t)half->n_pieces, sizeof *half->pieces);
+    if (!half->pieces) return MT_NO_MEMORY;
+    for (int i = 0; status == MT_OK && i < half->n_pieces; i++)
+        status = mt_piece_of(arena, &half->parts[i], &half->pieces[i]);
     return status;
 }
 
@@ -123,12 +133,12 @@ static mt_status measure_component(mt_arena *arena, const mt_half *half, int com
     int room = 0, n = 0;
     mt_polytope hull;
     for (int i = 0; i < half->n_pieces; i++)
-        room += half->component_of[i] == component ? half->pieces[i].part.n_points : 0;
+        room += half->component_of[i] == component ? half->parts[i].n_points : 0;
     mt_vector3 *points = mt_arena_new(arena, (size_t)room, sizeof *points);
     if (!points) return MT_NO_MEMORY;
     for (int i = 0; i < half->n_pieces; i++)
-        for (int p = 0; half->component_of[i] == component && p < half->pieces[i].part.n_points; p++)
-            points[n++] = half->pieces[i].part.places[p];
+        for (int p = 0; half->component_of[i] == component && p < half->parts[i].n_points; p++)
+            points[n++] = half->parts[i].places[p];
     mt_status status = mt_polytope_around(arena, points, n, &hull);
     if (status != MT_OK) return status;
     mt_box3 own = box_around(points, n);
@@ -143,6 +153,7 @@ static mt_status measure_component(mt_arena *arena, const mt_half *half, int com
 }
 
 static mt_status measure_components(mt_arena *arena, mt_half *half, const mt_box3 *box) {
+    half->n_components = 0;
     mt_status status = find_components(arena, half);
     if (status != MT_OK) return status;
     half->components = mt_arena_new(arena, (size_t)half->n_components, sizeof *half->components);
@@ -152,19 +163,23 @@ static mt_status measure_components(mt_arena *arena, mt_half *half, const mt_box
     return status;
 }
 
+mt_status mt_half_measure(mt_arena *arena, mt_half *half) {
+    const mt_cells *cells = &half->cells;
+    mt_vector3 *places = mt_arena_new(arena, (size_t)cells->n_points, sizeof *places);
+    if (!places) return MT_NO_MEMORY;
+    for (int p = 0; p < cells->n_points; p++) places[p] = mt_place_vector(cells->points[p]);
+    mt_box3 box = box_around(places, cells->n_points);
+    half->n_pieces = cells->n_cells;
+    mt_status status = measure_pieces(arena, half, &box);
+    return status == MT_OK ? measure_components(arena, half, &box) : status;
+}
+
 mt_status mt_half_of(mt_arena *arena, const mt_mesh *mesh, const mt_solid_params *params, mt_half *half) {
     mt_half made = {0};
     mt_status status = mt_cells_of(arena, mesh, &made.cells);
-    double depth = params->method == MT_METHOD_PAPER ? 0 : params->depth * made.cells.diagonal;
-    if (status == MT_OK) status = mt_cells_decompose(&made.cells, depth);
-    if (status != MT_OK) return status;
-    made.n_pieces = made.cells.n_cells;
-    mt_vector3 *places = mt_arena_new(arena, (size_t)made.cells.n_points, sizeof *places);
-    if (!places) return MT_NO_MEMORY;
-    for (int p = 0; p < made.cells.n_points; p++) places[p] = mt_place_vector(made.cells.points[p]);
-    mt_box3 box = box_around(places, made.cells.n_points);
-    status = make_pieces(arena, &made, &box);
-    if (status == MT_OK) status = measure_components(arena, &made, &box);
+    made.depth = params->method == MT_METHOD_PAPER ? 0 : params->depth * made.cells.diagonal;
+    if (status == MT_OK) status = mt_cells_decompose(&made.cells, made.depth);
+    if (status == MT_OK) status = mt_half_measure(arena, &made);
     if (status == MT_OK) *half = made;
     return status;
 }

@@ -161,22 +161,41 @@ static mt_status join_groups(mt_linking *l) {
 
 /* ---- all of it ----------------------------------------------------------------------------------------- */
 
-mt_status mt_link_halves(mt_arena *arena, const mt_half *first, const mt_half *second, mt_links *links) {
+static mt_status begin_linking(mt_arena *arena, const mt_half *first, const mt_half *second, mt_linking *l) {
     size_t n = (size_t)first->n_pieces * (size_t)second->n_pieces;
-    mt_linking l = {
+    *l = (mt_linking){
         .arena = arena, .first = first, .second = second, .linked = mt_arena_new(arena, n, sizeof(bool))};
-    mt_status status = l.linked ? match(&l) : MT_NO_MEMORY;
-    if (status != MT_OK) return status;
-    link_nearest(&l);
-    status = join_groups(&l);
+    return l->linked ? match(l) : MT_NO_MEMORY;
+}
+
+/* Joins groups, and lists all links. */
+static mt_status end_linking(mt_linking *l, mt_links *links) {
+    size_t n = (size_t)l->first->n_pieces * (size_t)l->second->n_pieces;
+    mt_status status = join_groups(l);
     mt_links made = {0, NULL};
-    for (size_t p = 0; p < n; p++) made.count += l.linked[p];
-    made.links = mt_arena_new(arena, (size_t)made.count, sizeof *made.links);
+    for (size_t p = 0; p < n; p++) made.count += l->linked[p];
+    made.links = mt_arena_new(l->arena, (size_t)made.count, sizeof *made.links);
     if (status != MT_OK || !made.links) return status != MT_OK ? status : MT_NO_MEMORY;
     made.count = 0;
-    for (int i = 0; i < first->n_pieces; i++)
-        for (int j = 0; j < second->n_pieces; j++)
-            if (l.linked[pair_of(&l, i, j)]) made.links[made.count++] = (mt_link){i, j};
+    for (int i = 0; i < l->first->n_pieces; i++)
+        for (int j = 0; j < l->second->n_pieces; j++)
+            if (l->linked[pair_of(l, i, j)]) made.links[made.count++] = (mt_link){i, j};
     *links = made;
     return MT_OK;
+}
+
+mt_status mt_link_halves(mt_arena *arena, const mt_half *first, const mt_half *second, mt_links *links) {
+    mt_linking l;
+    mt_status status = begin_linking(arena, first, second, &l);
+    if (status != MT_OK) return status;
+    link_nearest(&l);
+    return end_linking(&l, links);
+}
+
+mt_status mt_links_join(mt_arena *arena, const mt_half *first, const mt_half *second, mt_links *links) {
+    mt_linking l;
+    mt_status status = begin_linking(arena, first, second, &l);
+    if (status != MT_OK) return status;
+    for (int i = 0; i < links->count; i++) l.linked[pair_of(&l, links->links[i].a, links->links[i].b)] = true;
+    return end_linking(&l, links);
 }

@@ -8,3 +8,6 @@
  * components by formula (3) and the algorithm's three steps; and as few more as keep together what hangs together in both. Two links
  * hang together when their pieces meet in both solids. MT_NO_MEMORY. */
 mt_status mt_link_halves(mt_arena *arena, const mt_half *first, const mt_half *second, mt_links *links);
+
+/* Adds to the links what keeps together what hangs together in both, as mt_link_halves does. MT_NO_MEMORY. */
+mt_status mt_links_join(mt_arena *arena, const mt_half *first, const mt_half *second, mt_links *links);

@@ -9,9 +9,6 @@
  * place. */
 enum { EDGES = 256, KEPT = 24, SLOTS = 7, TURNS = 8, PER_EDGE = 5 };
 
-/* Normals of planes that no three places give are rounded to so many units. */
-#define NORMAL_UNITS 1073741824.0
-
 typedef struct mt_reflex {
     int u, v; /* the cells' points */
     int edge;
@@ -56,13 +53,6 @@ static int find_reflex(mt_arena *arena, const mt_cells *cells, const mt_part *pa
     return n < EDGES ? n : EDGES;
 }
 
-static mt_plane plane_along(mt_vector3 normal, mt_place at) {
-    double length = mt_length3(normal);
-    if (!(length > 0)) return (mt_plane){0};
-    mt_vector3 n = mt_times3(NORMAL_UNITS / length, normal);
-    return mt_plane_at(llround(n.x), llround(n.y), llround(n.z), at);
-}
-
 static void weigh(const mt_cells *cells, const mt_reflex *edges, int n, mt_weighed *w) {
     for (int i = 0; i < n; i++)
         if (mt_plane_side(&w->plane, cells->points[edges[i].u]) == 0 &&
@@ -86,7 +76,7 @@ static int planes_of_edge(const mt_cells *cells, const mt_part *part, const mt_r
     made[count++] = mt_part_plane(cells, part, part->twins[edge->edge] / 3);
     mt_vector3 along = mt_minus3(mt_place_vector(v), mt_place_vector(u));
     mt_vector3 outward = mt_plus3(mt_plane_normal(&made[0]), mt_plane_normal(&made[1]));
-    made[count++] = plane_along(mt_cross3(along, outward), u);
+    made[count++] = mt_plane_along(mt_cross3(along, outward), u);
     if (next >= 0) made[count++] = mt_plane_through(u, v, cells->points[next]);
     if (last >= 0) made[count++] = mt_plane_through(u, v, cells->points[last]);
     return count;
@@ -170,7 +160,7 @@ static void add_deep(const mt_cells *cells, const mt_part *part, const mt_depth 
     for (int i = 0; i < TURNS; i++) {
         double angle = M_PI * i / TURNS;
         mt_vector3 normal = mt_plus3(mt_times3(cos(angle), u), mt_times3(sin(angle), v));
-        planes->planes[planes->count++] = plane_along(normal, cells->points[part->point[nearest]]);
+        planes->planes[planes->count++] = mt_plane_along(normal, cells->points[part->point[nearest]]);
     }
 }
 

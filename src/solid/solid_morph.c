@@ -8,6 +8,7 @@
 #include "solid/limits.h"
 #include "solid/links.h"
 #include "solid/overlap.h"
+#include "solid/share.h"
 #include "solid/sum.h"
 #include "space/vector.h"
 
@@ -89,17 +90,27 @@ static mt_status take_link(mt_arena *arena, const mt_mesh *of_x, const mt_mesh *
     return MT_OK;
 }
 
-static mt_status take_links(mt_arena *arena, const mt_half *first, const mt_half *second, bool swapped,
-                            mt_solid_morph *morph) {
-    mt_links links;
-    mt_status status = mt_link_halves(arena, first, second, &links);
-    if (status != MT_OK) return status;
+/* Links two halves, and divides their pieces unless they are the paper's. */
+static mt_status link_halves(mt_arena *arena, mt_half *first, mt_half *second, mt_method method,
+                             mt_links *links) {
+    mt_status status = mt_link_halves(arena, first, second, links);
+    if (status == MT_OK && method != MT_METHOD_PAPER) {
+        status = mt_links_share(arena, first, second, links);
+        if (status == MT_OK) status = mt_links_join(arena, first, second, links);
+    }
+    if (status == MT_OK) status = mt_half_make_pieces(arena, first);
+    return status == MT_OK ? mt_half_make_pieces(arena, second) : status;
+}
+
+static mt_status take_links(mt_arena *arena, const mt_half *first, const mt_half *second,
+                            const mt_links *links, bool swapped, mt_solid_morph *morph) {
+    mt_status status = MT_OK;
     int n_triangles = 0;
-    morph->n_links = links.count;
-    morph->links = mt_arena_new(arena, (size_t)links.count, sizeof *morph->links);
+    morph->n_links = links->count;
+    morph->links = mt_arena_new(arena, (size_t)links->count, sizeof *morph->links);
     if (!morph->links) return MT_NO_MEMORY;
-    for (int i = 0; status == MT_OK && i < links.count; i++) {
-        int x = links.links[i].a, y = links.links[i].b;
+    for (int i = 0; status == MT_OK && i < links->count; i++) {
+        int x = links->links[i].a, y = links->links[i].b;
         mt_solid_link *link = &morph->links[i];
         mt_sum sum;
         status = mt_sum_of(arena, &first->pieces[x], &second->pieces[y], &sum);
@@ -121,15 +132,18 @@ mt_status mt_solid_prepare(mt_arena *arena, const mt_mesh *a, const mt_mesh *b, 
     mt_solid_morph made = {0};
     mt_mesh back;
     mt_half halves[2];
+    mt_links links;
     take_rotation(a, b, params, &made);
     mt_status status = turn_back(arena, b, &made, &back);
     if (status == MT_OK) status = mt_half_of(arena, a, params, &halves[0]);
     if (status == MT_OK) status = mt_half_of(arena, &back, params, &halves[1]);
-    if (status == MT_OK) status = take_side(arena, &halves[0], &made.a);
-    if (status == MT_OK) status = take_side(arena, &halves[1], &made.b);
     if (status != MT_OK) return status;
     bool swapped = mt_half_compare(&halves[0], &halves[1]) > 0;
-    status = take_links(arena, &halves[swapped], &halves[!swapped], swapped, &made);
+    status = link_halves(arena, &halves[swapped], &halves[!swapped], params->method, &links);
+    if (status == MT_OK) status = take_side(arena, &halves[0], &made.a);
+    if (status == MT_OK) status = take_side(arena, &halves[1], &made.b);
+    if (status == MT_OK)
+        status = take_links(arena, &halves[swapped], &halves[!swapped], &links, swapped, &made);
     if (status == MT_OK) *morph = made;
     return status;
 }

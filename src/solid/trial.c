@@ -186,6 +186,7 @@ static mt_status try_plane(mt_trying *t, mt_trial *trial) {
         if (status == MT_OK) status = mt_hull_volume(points, n, &hull);
         mt_arena_rewind(t->arena, before);
         trial->n_parts++;
+        if (side(t, p) < 0) trial->behind += volumes[p];
         trial->excess += fmax(hull - fmax(volumes[p], 0), 0);
     }
     return status;

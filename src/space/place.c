@@ -4,8 +4,18 @@
 
 #include <math.h>
 
+/* The length of a normal that no three places give. */
+#define NORMAL_UNITS 1073741824.0
+
 mt_plane mt_plane_at(int64_t x, int64_t y, int64_t z, mt_place p) {
     return (mt_plane){x, y, z, (mt_wide)x * p.x + (mt_wide)y * p.y + (mt_wide)z * p.z};
+}
+
+mt_plane mt_plane_along(mt_vector3 normal, mt_place p) {
+    double length = sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
+    if (!(length > 0)) return (mt_plane){0};
+    double scale = NORMAL_UNITS / length;
+    return mt_plane_at(llround(normal.x * scale), llround(normal.y * scale), llround(normal.z * scale), p);
 }
 
 mt_plane mt_plane_through(mt_place a, mt_place b, mt_place c) {

@@ -32,6 +32,9 @@ static inline mt_vector3 mt_place_vector(mt_place p) {
 /* The plane through a, b and c, whose normal points to where they are anticlockwise; all zero when they are in line. */
 mt_plane mt_plane_through(mt_place a, mt_place b, mt_place c);
 
+/* The plane through a place whose normal is as good as along `normal`; all zero when that has no length. */
+mt_plane mt_plane_along(mt_vector3 normal, mt_place p);
+
 /* The plane with that normal through a place. */
 mt_plane mt_plane_at(int64_t x, int64_t y, int64_t z, mt_place p);
 

@@ -180,19 +180,70 @@ static void turning_ends_where_the_solids_are(void **state) {
     mt_solid_morph morph;
     mt_assert_ok(mt_solid_prepare(&arena, &a, &b, &params, &morph));
     mt_assert_ok(mt_solid_at(&arena, &morph, 0, &at));
-    for (int i = 0; i < at.n_points; i++) {
+    for (int i = 0; i < at.n_points; i++) { /* some where the box is cut */
+        mt_vector3 p = at.points[i];
+        assert_true(fmin(p.x - 3, fmin(p.y, p.z)) > -1e-6 && fmin(4 - p.x, fmin(2 - p.y, 3 - p.z)) > -1e-6);
+    }
+    for (int k = 0; k < b.n_points; k++) {
         double nearest = INFINITY;
-        for (int k = 0; k < b.n_points; k++)
+        for (int i = 0; i < at.n_points; i++)
             nearest = fmin(nearest, mt_length3(mt_minus3(at.points[i], b.points[k])));
         assert_true(nearest < 1e-6);
     }
+}
+
+/* Two boxes that are one solid: 3 × 1 and 1 × 2, one on the other. */
+static mt_mesh corner_of(mt_arena *own) {
+    static const double outline[6][2] = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
+    static const int caps[4][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {3, 4, 5}};
+    mt_mesh mesh = {12, 20, mt_arena_new(own, 12, sizeof(mt_vector3)),
+                    mt_arena_new(own, 20, sizeof(mt_triangle))};
+    if (!mesh.points || !mesh.triangles) return (mt_mesh){0};
+    mt_triangle *next = mesh.triangles;
+    for (int i = 0; i < 12; i++) mesh.points[i] = (mt_vector3){outline[i % 6][0], outline[i % 6][1], i / 6};
+    for (int i = 0; i < 6; i++) {
+        int k = (i + 1) % 6;
+        *next++ = (mt_triangle){{i, k, k + 6}};
+        *next++ = (mt_triangle){{i, k + 6, i + 6}};
+    }
+    for (int i = 0; i < 4; i++) {
+        *next++ = (mt_triangle){{caps[i][0], caps[i][2], caps[i][1]}};
+        *next++ = (mt_triangle){{caps[i][0] + 6, caps[i][1] + 6, caps[i][2] + 6}};
+    }
+    return mesh;
+}
+
+static double piece_volume(const mt_mesh *piece) {
+    return mesh_volume(piece->points, piece->triangles, piece->n_triangles);
+}
+
+static void a_piece_is_divided_among_counterparts_that_meet(void **state) {
+    (void)state;
+    mt_mesh box = mt_test_box(&arena, (mt_vector3){0, 0, 0}, (mt_vector3){2, 2, 2}),
+            corner = corner_of(&arena);
+    mt_solid_params params = {.depth = 0.03};
+    mt_solid_morph morph;
+    mt_assert_ok(mt_solid_prepare(&arena, &box, &corner, &params, &morph));
+    assert_int_equal(morph.a.n_pieces, 2);
+    assert_int_equal(morph.b.n_pieces, 2);
+    assert_int_equal(morph.n_links, 2);
+    for (int i = 0; i < 2; i++) { /* as large as it is of the five units of the corner */
+        const mt_solid_link *link = &morph.links[i];
+        double own = piece_volume(&morph.a.pieces[link->piece_a]),
+               wanted = piece_volume(&morph.b.pieces[link->piece_b]);
+        assert_true(fabs(own / 8 - wanted / 5) < 0.01);
+    }
+    params.method = MT_METHOD_PAPER;
+    mt_assert_ok(mt_solid_prepare(&arena, &box, &corner, &params, &morph));
+    assert_int_equal(morph.a.n_pieces, 1);
+    assert_int_equal(morph.n_links, 2);
 }
 
 static mt_status morph_in_want(void) {
     mt_arena own = {0};
     mt_solid_params params = {.depth = 0.03};
     mt_solid_morph morph;
-    mt_mesh a = mt_test_block(&own), b = mt_test_box(&own, (mt_vector3){0, 0, 0}, (mt_vector3){1, 2, 3});
+    mt_mesh a = corner_of(&own), b = mt_test_box(&own, (mt_vector3){0, 0, 0}, (mt_vector3){1, 2, 3});
     mt_status status = a.points && b.points ? mt_solid_prepare(&own, &a, &b, &params, &morph) : MT_NO_MEMORY;
     mt_arena_release(&own);
     return status;
@@ -213,6 +264,7 @@ int main(void) {
         cmocka_unit_test(a_plane_beside_a_cell_does_not_cut_it),
         cmocka_unit_test(a_block_with_a_hole_has_four_convex_parts),
         cmocka_unit_test(a_cube_and_a_cube_turned_make_a_box_with_its_corners_cut),
+        cmocka_unit_test(a_piece_is_divided_among_counterparts_that_meet),
         cmocka_unit_test(turning_ends_where_the_solids_are),
         cmocka_unit_test(want_of_memory),
     };
