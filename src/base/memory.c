@@ -98,15 +98,29 @@ static mt_block *next_block(mt_arena *arena, size_t size) {
     return *next = block;
 }
 
-void *mt_arena_new(mt_arena *arena, size_t count, size_t size) {
-    if (size && count > (PTRDIFF_MAX - alignof(max_align_t)) / size) return NULL;
-    size_t bytes = (count * size + alignof(max_align_t) - 1) / alignof(max_align_t) * alignof(max_align_t);
+static void *take_from(mt_arena *arena, size_t bytes) {
     void *memory = take(arena->current, bytes);
     if (memory) return memory;
     mt_block *block = next_block(arena, bytes);
     if (!block) return NULL;
     arena->current = block;
     return take(block, bytes);
+}
+
+/* Counts what was taken, whose bytes were set to zero. */
+static void count_bytes(mt_arena *arena, size_t bytes) {
+    enum { BYTES_A_STEP = 64 };
+    mt_arena_has_room(arena, bytes);
+    mt_arena_spend(arena, (int64_t)(bytes / BYTES_A_STEP));
+    arena->taken += bytes;
+}
+
+void *mt_arena_new(mt_arena *arena, size_t count, size_t size) {
+    if (size && count > (PTRDIFF_MAX - alignof(max_align_t)) / size) return NULL;
+    size_t bytes = (count * size + alignof(max_align_t) - 1) / alignof(max_align_t) * alignof(max_align_t);
+    void *memory = take_from(arena, bytes);
+    if (memory) count_bytes(arena, bytes);
+    return memory;
 }
 
 void *mt_arena_grow_list(mt_arena *arena, void *list, int count, int *room, size_t size) {
@@ -119,6 +133,7 @@ void *mt_arena_grow_list(mt_arena *arena, void *list, int count, int *room, size
 
 void mt_arena_reset(mt_arena *arena) {
     arena->current = NULL;
+    arena->taken = 0;
     mt_arena_bound(arena, 0);
 }
 
@@ -131,25 +146,33 @@ void mt_arena_release(mt_arena *arena) {
 }
 
 mt_arena_place mt_arena_mark(const mt_arena *arena) {
-    return (mt_arena_place){arena->current, arena->current ? arena->current->used : 0};
+    return (mt_arena_place){arena->current, arena->current ? arena->current->used : 0, arena->taken};
 }
 
 void mt_arena_rewind(mt_arena *arena, mt_arena_place place) {
     arena->current = place.block;
+    arena->taken = place.taken;
     if (place.block) place.block->used = place.used;
 }
 
 /* ---- work ---------------------------------------------------------------------------------------------- */
 
 void mt_arena_bound(mt_arena *arena, int64_t steps) {
+    enum { STEPS_A_BYTE = 8 };
     arena->steps = steps;
     arena->bounded = steps > 0;
+    arena->most = (size_t)(steps / STEPS_A_BYTE);
 }
 
 bool mt_arena_spend(mt_arena *arena, int64_t steps) {
     if (!arena->bounded) return true;
     arena->steps = steps > arena->steps ? -1 : arena->steps - steps;
     return arena->steps >= 0;
+}
+
+bool mt_arena_has_room(mt_arena *arena, size_t bytes) {
+    bool enough = arena->taken <= arena->most && bytes <= arena->most - arena->taken;
+    return enough || mt_arena_spend(arena, INT64_MAX);
 }
 
 bool mt_arena_is_spent(const mt_arena *arena) {

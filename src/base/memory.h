@@ -27,7 +27,8 @@ char *mt_copy_text(const char *text);
 typedef struct mt_block mt_block;
 typedef struct mt_arena {
     mt_block *first, *current;
-    int64_t steps; /* that its task may still do, where it is bounded */
+    size_t taken, most; /* bytes of what is in it; where its task is bounded, how many there may be */
+    int64_t steps;      /* that its task may still do, where it is bounded */
     bool bounded;
 } mt_arena; /* all zero is an empty arena, whose task may do as much as it likes */
 
@@ -41,14 +42,17 @@ void mt_arena_release(mt_arena *arena); /* the blocks too */
 /* A place in an arena: what was made after mt_arena_mark is gone after mt_arena_rewind. */
 typedef struct mt_arena_place {
     mt_block *block;
-    size_t used;
+    size_t used, taken;
 } mt_arena_place;
 mt_arena_place mt_arena_mark(const mt_arena *arena);
 void mt_arena_rewind(mt_arena *arena, mt_arena_place place);
 
 /* The work of an arena's task, counted in steps that are the same on any machine: a cell of a table, two points compared, a corner of a
- * union. Bounds what the task does from here on, or with 0 takes the bound away. */
+ * union, 64 bytes made. Bounds what the task does from here on, or with 0 takes the bound away. The arena may hold an eighth as many bytes:
+ * with more the steps are spent. */
 void mt_arena_bound(mt_arena *arena, int64_t steps);
 /* Takes steps that are to be done off those left; false where there are not as many, and from then on. */
 bool mt_arena_spend(mt_arena *arena, int64_t steps);
+/* Whether a large table of so many bytes may be made; where not, the steps are spent. */
+bool mt_arena_has_room(mt_arena *arena, size_t bytes);
 bool mt_arena_is_spent(const mt_arena *arena);

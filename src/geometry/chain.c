@@ -403,6 +403,13 @@ static mt_status solver_for(const mt_run runs[MASTERS], mt_chain *chain, bool ev
     return MT_OK;
 }
 
+/* The work of all rounds: the equations, and their solution (base/memory.h). */
+static int64_t steps_of(const mt_solver *s) {
+    int samples = 0;
+    for (int m = 0; m < MASTERS; m++) samples += s->runs[m].count;
+    return (int64_t)ROUNDS * TERMS * TERMS * ((int64_t)samples + s->unknowns);
+}
+
 /* Whether a master has a segment of almost no length. */
 static bool is_uneven(const mt_chain *c) {
     for (int m = 0; m < MASTERS; m++)
@@ -482,6 +489,7 @@ mt_status mt_chain_fit(const mt_run runs[MASTERS], double tolerance, mt_arena *a
             copy_chain(chain, &trial);
             for (int k = 0; k < trial.count - 1 && even; k++) trial.share[k] = 0.5;
             status = solver_for(runs, &trial, even, arena, &solver);
+            if (status == MT_OK && !mt_arena_spend(arena, steps_of(&solver))) status = MT_TOO_LARGE;
             if (status == MT_OK) iterate(&solver, tolerance, &error, &worst);
             mt_arena_rewind(arena, place);
         }

@@ -28,7 +28,8 @@ typedef struct mt_run {
 /* Moves controls and shares until every sample is within `tolerance` grid units of the chain, measured across its own
  * direction, by least squares (Gauss–Newton). Shares of a half come first: a TrueType font need not store such nodes. Where the
  * chain has too few segments for it, segments are divided, as long as there is room. With arms, the handles at that end have
- * the arms' ratio. *fits: it was possible; otherwise the chain is undefined. MT_NO_MEMORY. */
+ * the arms' ratio. *fits: it was possible; otherwise the chain is undefined. MT_NO_MEMORY,
+ * MT_TOO_LARGE where the arena's steps do not do. */
 mt_status mt_chain_fit(const mt_run runs[MT_MASTERS_MAX], double tolerance, mt_arena *arena, mt_chain *chain,
                        bool *fits);
 

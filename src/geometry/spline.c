@@ -19,6 +19,7 @@
 #define STRAIGHT_SHARE 0.1 /* of the tolerance: a run within it of a line is one */
 #define HEADINGS_APART 6.0 /* degrees between the headings of two masters at a shared node … */
 #define APART_COST 0.25    /* … that cost this much; more with the square of the angle */
+enum { HELD_STEPS = 4 };   /* work of a sample held against an arc (base/memory.h) */
 #define GIVE_UP 4.0 /* tolerances: past this error, longer segments from the same start are not tried */
 
 typedef struct mt_arc {
@@ -240,13 +241,17 @@ static void take_if_better(const mt_problem *p, int from, int to, mt_joint_arc a
     if (arc.error <= p->tolerance && cost < best[to].cost) best[to] = (mt_step){cost, from, arc};
 }
 
-static void try_from(const mt_problem *p, int from, mt_step *best) {
+/* Gives how many samples were held against arcs. */
+static int64_t try_from(const mt_problem *p, int from, mt_step *best) {
+    int64_t held = 0;
     for (int to = from + 1; to < p->count; to++) {
         mt_joint_arc arc = joint_arc(p, from, to);
+        held += (int64_t)p->master_count * (to - from);
         if (arc.error <= p->tolerance) take_if_better(p, from, to, arc, best);
         if (is_node(p, to) || turned_back(p, from, to)) break;
         if (!arc.line && arc.error > p->tolerance * GIVE_UP) break;
     }
+    return held;
 }
 
 static mt_point rounded(mt_vec p) {
@@ -277,7 +282,8 @@ mt_status mt_spline(const mt_sample *const *masters, int master_count, int count
     if (whole.line && whole.error <= tolerance)
         best[count - 1] = (mt_step){1, 0, whole}; /* nothing beats one line */
     else
-        for (int i = 0; i + 1 < count; i++) try_from(&problem, i, best);
+        for (int i = 0; i + 1 < count; i++)
+            if (!mt_arena_spend(arena, HELD_STEPS * try_from(&problem, i, best))) return MT_TOO_LARGE;
     assert(best[count - 1].cost < INFINITY); /* neighbours are always joined */
     int total = 0;
     for (int j = count - 1; j > 0; j = best[j].from) total++;

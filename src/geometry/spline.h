@@ -27,6 +27,7 @@ mt_sample mt_sample_at(double x, double y, double heading, bool node);
  * of the one goes with sample k of the other, and so do the segments: they end at the same samples, where the
  * directions differ least, and fit both. A stretch that is straight within a tenth of the tolerance in every
  * master becomes a line. segments[m] has room for count - 1, and so has ends, for the number of the sample at which each
- * segment ends; *made says how many there are. MT_NO_MEMORY. */
+ * segment ends; *made says how many there are. MT_NO_MEMORY, MT_TOO_LARGE
+ * where the arena's steps do not do. */
 mt_status mt_spline(const mt_sample *const *masters, int master_count, int count, double tolerance,
                     mt_arena *arena, mt_segment *const *segments, int *ends, int *made);

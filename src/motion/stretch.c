@@ -10,8 +10,8 @@
 /* How far a point may be from the way that formula (5) takes it, 1/1000 em. */
 #define TURN_WITHIN 1.0
 
-/* Steps (base/memory.h) that the morph of two parts may take, some five seconds, and what moves again as many. Two Han characters of
- * 64 strokes take half of the first, drawings of 10 000 points a sixth of the second. */
+/* Steps (base/memory.h) that the morph of two parts may take, of drawings some five seconds and 128 MiB, and what moves again as many. Two
+ * Han characters of 64 strokes take half of the first, drawings of 10 000 points nearly all of the second. */
 #define TEXT_STEPS ((int64_t)1 << 33)
 #define DRAWING_STEPS ((int64_t)1 << 30)
 

@@ -199,6 +199,27 @@ static void work_is_bounded(void **state) {
     mt_arena_release(&arena);
 }
 
+/* What is taken back makes room; what is too much spends the steps, though it is given. */
+static void bounded_work_holds_so_much(void **state) {
+    (void)state;
+    mt_arena arena = {0};
+    assert_true(mt_arena_has_room(&arena, SIZE_MAX));
+    mt_arena_bound(&arena, 8000);
+    mt_arena_place before = mt_arena_mark(&arena);
+    for (int i = 0; i < 3; i++) {
+        assert_non_null(mt_arena_new(&arena, 1, 800));
+        mt_arena_rewind(&arena, before);
+    }
+    assert_true(mt_arena_has_room(&arena, 1000) && !mt_arena_is_spent(&arena));
+    assert_non_null(mt_arena_new(&arena, 1, 800));
+    assert_false(mt_arena_has_room(&arena, 201));
+    assert_true(mt_arena_is_spent(&arena));
+    mt_arena_bound(&arena, 8000);
+    assert_non_null(mt_arena_new(&arena, 1, 800));
+    assert_true(mt_arena_is_spent(&arena));
+    mt_arena_release(&arena);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(arrays),
@@ -211,6 +232,7 @@ int main(void) {
         cmocka_unit_test(blocks_are_found_again),
         cmocka_unit_test(failures_change_nothing),
         cmocka_unit_test(work_is_bounded),
+        cmocka_unit_test(bounded_work_holds_so_much),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

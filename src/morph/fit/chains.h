@@ -12,6 +12,6 @@ typedef struct mt_track {
 
 /* Fits curves anew where a node is smooth in both masters, but not in a mix of them: all curves between two nodes that cannot have a
  * kink, together (geometry/chain.h). Segment i of the masters ends at step steps[i]. Where that takes too many segments, the curves
- * stay as they are. MT_NO_MEMORY. */
+ * stay as they are. MT_NO_MEMORY, MT_TOO_LARGE where the arena's steps do not do. */
 mt_status mt_chains_smooth(const mt_track *track, const int *steps, double tolerance, mt_arena *arena,
                            mt_contour_pair *masters);

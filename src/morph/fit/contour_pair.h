@@ -6,7 +6,8 @@
 
 /* Fits the same lines and quadratics to two aligned rings, each within 1.1 times `tolerance` grid units of its own. They end at the
  * corners of either ring, at the ends of lines that both have, and at extrema that both have; nodes that are smooth in both masters
- * stay smooth in between (chains.h), where curves can be found for it. MT_NO_MEMORY. */
+ * stay smooth in between (chains.h), where curves can be found for it. MT_NO_MEMORY,
+ * MT_TOO_LARGE where the arena's steps do not do. */
 mt_status mt_contour_pair_fit(const mt_ring_samples *a, const mt_ring_samples *b,
                               const mt_alignment *alignment, double tolerance, mt_arena *arena,
                               mt_contour_pair *masters);

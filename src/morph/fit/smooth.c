@@ -23,6 +23,8 @@
 /* Nodes are moved in ROUNDS, since a line's end is its neighbour's handle; SAMPLES of a curve measure how far it departs, and STEPS
  * places between the masters its kink. */
 enum { ROUNDS = 3, SAMPLES = 8, STEPS = 8 };
+/* Chords that a node's places are held against, in three tries and two masters: the work of a move (base/memory.h). */
+enum { MOVE_STEPS = 3 * 2 * 2 * (SAMPLES - 1) * 4 * SAMPLES };
 
 /* A node of one master, and the ends of the handles on both sides. */
 typedef struct mt_node_handles {
@@ -185,7 +187,10 @@ mt_status mt_contour_pair_smooth(mt_contour_pair *masters, double tolerance, mt_
     if (status != MT_OK || masters->a.count < 3) return status;
     const mt_contour *const before[2] = {&drawn[0], &drawn[1]}, *const now[2] = {&masters->a, &masters->b};
     for (int round = 0; round < ROUNDS; round++)
-        for (int k = 0; k < masters->a.count; k++)
-            if (mt_kink(now, k) > MT_KINK_TURN) move_node(before, masters_moved, k, tolerance);
+        for (int k = 0; k < masters->a.count; k++) {
+            if (mt_kink(now, k) <= MT_KINK_TURN) continue;
+            if (!mt_arena_spend(arena, MOVE_STEPS)) return MT_TOO_LARGE;
+            move_node(before, masters_moved, k, tolerance);
+        }
     return MT_OK;
 }

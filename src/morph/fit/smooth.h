@@ -7,7 +7,7 @@
 #define MT_KINK_TURN 0.5
 
 /* Moves nodes at which both masters are smooth and a mix of them is not, as far as no master departs from its curve by more than
- * `tolerance` grid units. MT_NO_MEMORY. */
+ * `tolerance` grid units. MT_NO_MEMORY, MT_TOO_LARGE where the arena's steps do not do. */
 mt_status mt_contour_pair_smooth(mt_contour_pair *masters, double tolerance, mt_arena *arena);
 
 /* Whether a contour is smooth at node k, the end of segment k. Segments without length are skipped on both sides. */
