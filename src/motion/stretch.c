@@ -44,20 +44,48 @@ static mt_status keep_contours(const mt_variable_outline *contours, mt_arena *ke
     return MT_OK;
 }
 
+/* The contours between two shapes, each task within its steps. */
+static mt_status move(const mt_shape *a, const mt_shape *b, const mt_hints *hints, const mt_params *params,
+                      int64_t steps, mt_arena *scratch, mt_morph *prepared, mt_variable_outline *contours) {
+    mt_arena_bound(scratch, steps);
+    mt_status status = mt_morph_prepare(a, b, hints, params, scratch, prepared);
+    mt_arena_bound(scratch, steps);
+    if (status == MT_OK) status = mt_variable_outline_make(prepared, params, scratch, contours);
+    mt_arena_bound(scratch, 0);
+    return status;
+}
+
+/* Two shapes that are alike on the left and the right: one half and its image. *done is false for others. */
+static mt_status move_halves(const mt_shape *a, const mt_shape *b, const mt_params *params, int64_t steps,
+                             mt_arena *scratch, mt_variable_outline *contours, bool *done) {
+    mt_halves halves;
+    mt_morph prepared;
+    mt_status status = mt_halves_of(a, b, scratch, &halves);
+    *done = halves.alike;
+    if (status != MT_OK || !halves.alike) return status;
+    const mt_hints found = {halves.hints.count, halves.hints.list};
+    status = move(&halves.a, &halves.b, &found, params, steps, scratch, &prepared, contours);
+    return status == MT_OK ? mt_add_images(&halves, contours, scratch) : status;
+}
+
 static mt_status morph(const mt_figure_part *a, const mt_figure_part *b, const mt_hints *hints,
                        const mt_params *params, mt_arena *scratch, mt_arena *kept, mt_moving_part *part) {
-    mt_morph prepared;
+    mt_morph prepared = {.a.box = mt_shape_box(&a->shape), .b.box = mt_shape_box(&b->shape)};
     mt_variable_outline contours;
-    mt_axis_hints axis = hints->count ? (mt_axis_hints){0} : mt_axis_hints_of(&a->shape, &b->shape);
+    bool free = hints->count == 0 && params->rotation == MT_ROTATION_NONE, done = false;
+    mt_axis_hints axis = free ? mt_axis_hints_of(&a->shape, &b->shape) : (mt_axis_hints){0};
     const mt_hints found = {axis.count, axis.list};
     int64_t steps = a->apart || b->apart ? DRAWING_STEPS : TEXT_STEPS;
-    mt_arena_bound(scratch, steps);
-    mt_status status =
-        mt_morph_prepare(&a->shape, &b->shape, axis.count ? &found : hints, params, scratch, &prepared);
-    mt_arena_bound(scratch, steps);
-    if (status == MT_OK) status = mt_variable_outline_make(&prepared, params, scratch, &contours);
-    if (status == MT_OK && prepared.degrees == 0) status = mt_axis_mirror(&axis, &contours, scratch);
-    mt_arena_bound(scratch, 0);
+    mt_status status = MT_OK;
+    if (free && axis.count == 0)
+        status = move_halves(&a->shape, &b->shape, params, steps, scratch, &contours, &done);
+    if (status == MT_OK && !done) {
+        status = move(&a->shape, &b->shape, axis.count ? &found : hints, params, steps, scratch, &prepared,
+                      &contours);
+        if (status == MT_OK) status = mt_axis_mirror(&axis, &contours, scratch, &done);
+        if (status == MT_OK && axis.count > 0 && !done)
+            status = move_halves(&a->shape, &b->shape, params, steps, scratch, &contours, &done);
+    }
     if (status != MT_OK) return status;
     part->turning = (mt_morph){.a.box = prepared.a.box, .b.box = prepared.b.box, .degrees = prepared.degrees};
     return keep_contours(&contours, kept, &part->contours);

@@ -485,6 +485,21 @@ class Drawings(Animate):
             for i in range(1, 6):
                 self.assertEqual(Pictures.holes(cli.Image(self.path(f'x-{i}.png'))), 1, (keys, i))
 
+    def test_what_is_alike_on_both_sides_stays_so(self):
+        """At 200 pixels an em no pixel is other than its mirror image: one outline, holes, and several parts."""
+        self.write('star.svg', svg('<path d="M12 1l2.600 8H23l-6.800 5 2.600 8L12 17l-6.800 5 2.600-8L1 9h8.400z"/>')) # not drawn askew
+        self.write('heart.svg', svg('<path d="M12 22C5 16 1.500 12.500 1.500 7.700 1.500 2.400 9.600 0 12 5 14.400 0 22.500 2.400 22.500 7.700 22.500 12.500 19 16 12 22z"/>'))
+        self.write('arrow.svg', svg('<path d="M12 2l9 10h-6v10h-6V12H3z"/>'))
+        self.write('pause.svg', svg('<path d="M5 4h5v16H5zM14 4h5v16h-5z"/>'))
+        self.write('house.svg', svg('<path d="M12 2L2 11h3v11h14V11h3zM10 22v-6h4v6z" fill-rule="evenodd"/>'))
+        for keys in (('star.svg', 'heart.svg'), ('heart.svg', 'arrow.svg'), ('house.svg', 'ring.svg'), ('pause.svg', 'ring.svg'),
+                     ('ring.svg', 'frame.svg')):
+            self.animate('x.png', '--steps', 9, '--canvas', '200x200', '--color', 'black', keys=keys)
+            for i in range(1, 10):
+                for row in cli.Image(self.path(f'x-{i}.png')).rows:
+                    dark = row[::3]
+                    self.assertLessEqual(max(abs(p - q) for p, q in zip(dark, reversed(dark))), 60, (keys, i))
+
     def test_ends_have_the_drawings_ink(self):
         self.animate('x.png', '--steps', 2, '--size', 96, keys=('ring.svg', 'frame.svg'))
         for i, ink in ((1, 3.14159 * (100 - 36)), (2, 400 - 144)):
@@ -562,15 +577,16 @@ class Drawings(Animate):
         self.assertEqual((result.returncode, result.stderr), (0, b''))
 
     def test_work_on_tangles_is_bounded(self):
-        """What would take minutes shrinks and grows, which is told; the same on any machine."""
+        """What would take minutes moves as was found by then, or shrinks and grows, which is told; the same on any machine."""
         teeth = svg('<path d="M0 24' + ''.join(f'L{i * .024:.3f} 0L{i * .024 + .012:.3f} 23' for i in range(1000)) + 'L24 24z"/>')
         nest = svg('<path fill-rule="evenodd" d="' + ''.join(f'M{i / 70:.4f} {i / 70:.4f}h{24 - i / 35:.4f}v{24 - i / 35:.4f}h{i / 35 - 24:.4f}z'
                                                             for i in range(800)) + '"/>')
-        for drawing in (teeth, nest):
+        for drawing, passes in ((teeth, 0), (nest, 1)):
             self.write('bad.svg', drawing)
             said = self.made('animate', 'bad.svg', 'ring.svg', '-o', 'x.svg')
-            self.assertEqual(len(said), 1, said)
-            self.assertIn('1 part could not be morphed', said[0])
+            self.assertEqual(len(said), passes, said)
+            if passes:
+                self.assertIn('1 part could not be morphed', said[0])
 
     def test_damaged_drawings_are_drawn_or_refused(self):
         """Bytes of drawings changed at random: an exit code of the program's own, and few lines."""
