@@ -157,7 +157,7 @@ static void move_node(const mt_contour *const drawn[2], mt_contour *const master
     mt_node_handles handles[2] = {handles_at(masters[0], k), handles_at(masters[1], k)};
     double a = share_of(handles[0]), b = share_of(handles[1]), shares[3] = {(a + b) / 2, a, b};
     double least = INFINITY;
-    mt_vector best[2];
+    mt_vector best[2] = {{0, 0}, {0, 0}};
     for (int i = 0; i < 3; i++) {
         mt_vector at[2];
         double worst = 0;
