@@ -59,6 +59,7 @@ typedef enum mt_status {
     MT_BAD_FEATURE, /* a feature setting is malformed */
     MT_BLANK,       /* there is no ink to work with */
     MT_BAD_DRAWING, /* a file is no SVG drawing, or a damaged one */
+    MT_TOO_COSTLY,     /* the work or memory that a glyph may take did not do: mt_params.effort */
     MT_BAD_MESH,    /* a file is no mesh, or a damaged one */
     MT_NOT_SOLID,   /* a mesh is not closed or not oriented, crosses itself, or is empty */
 } mt_status;
@@ -123,6 +124,7 @@ typedef struct mt_params {
     mt_slant slant;
     double lean; /* by how many degrees B leans to the right of A, -45 … 45; read with MT_SLANT_GIVEN */
     int threads; /* that work on a font; 0: as many as the machine has cores */
+    double effort; /* how much work and memory a glyph may take, 0.01 … 100; 1: about two seconds, and 200 MB */
 } mt_params;
 
 MT_API mt_params mt_params_default(void);
@@ -154,6 +156,8 @@ typedef void (*mt_glyph_noted)(const mt_glyph_note *note, void *user);
 MT_API void mt_blend_on_glyph_failure(mt_blend *blend, mt_glyph_noted call, void *user);
 /* Called once for each glyph that is the first font's own because the second has none for it (MT_NO_GLYPH). */
 MT_API void mt_blend_on_unblended(mt_blend *blend, mt_glyph_noted call, void *user);
+/* Called once for each glyph whose effort was spent before all ways were tried (MT_TOO_COSTLY): it is blended by the best of those that were. */
+MT_API void mt_blend_on_cut_short(mt_blend *blend, mt_glyph_noted call, void *user);
 MT_API void mt_blend_on_progress(mt_blend *blend, mt_progress call, void *user);
 
 /* Names the fonts that follow: the family NAME in place of a name made from both; NULL goes back to that. */
@@ -245,6 +249,7 @@ MT_API void mt_variable_free(mt_variable *variable); /* NULL is fine */
 MT_API void mt_variable_on_failure(mt_variable *variable, mt_glyph_failed call, void *user);
 MT_API void mt_variable_on_glyph_failure(mt_variable *variable, mt_glyph_noted call, void *user);
 MT_API void mt_variable_on_unblended(mt_variable *variable, mt_glyph_noted call, void *user);
+MT_API void mt_variable_on_cut_short(mt_variable *variable, mt_glyph_noted call, void *user);
 MT_API void mt_variable_on_progress(mt_variable *variable, mt_progress call, void *user);
 MT_API mt_status mt_variable_set_family(mt_variable *variable, const char *name);
 /* Of the font as it stands without a setting; NULL goes back to the name of the first place on its axis. */

@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* The letters that every command takes, unless it leaves them. */
-#define COMMON "fjqvhVMTwrmsRIH"
+#define COMMON "fjqvhVMTwrmsRIHg"
 
 const option_row option_rows[] = {
     {'o', true, "output", "FILE", NULL, "the file to write"},
@@ -65,6 +65,8 @@ const option_row option_rows[] = {
     {'P', false, "pairs", "FILE", NULL,
      "glyphs that go together, by name or code point, one a font on a line"},
     {'H', false, "hints", "FILE", NULL, "which parts and places of both fonts' glyphs go together"},
+    {'g', false, "effort", "X", NULL,
+     "work and memory that a glyph may take, times the usual (0.01 ... 100)"},
     {'j', true, "jobs", "N", NULL, "threads (1 ... 1024); without it, one a core"},
     {'q', true, "quiet", NULL, NULL, "say nothing but errors"},
     {'v', true, "verbose", NULL, NULL, "say what is done, and of each glyph by itself"},

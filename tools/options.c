@@ -249,6 +249,7 @@ static int read_param(cli_options *options, char letter, const char *argument) {
     case 's': return params->one_scale = true, GO_ON;
     case 'R': return read_rotation(options, argument);
     case 'I': return read_slant(options, argument);
+    case 'g': return read_double(options, "effort", argument, 0.01, 100, &params->effort);
     default: return read_int(options, "jobs", argument, 1, 1024, &params->threads);
     }
 }

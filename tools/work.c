@@ -234,9 +234,10 @@ int work_failures(cli_work *work) {
     const cli_options *options = work->options;
     progress_erase(&work->bar);
     if (!options->quiet) glyph_notes_say_unblended(&work->unblended, options);
+    if (!options->quiet) glyph_notes_say_cut_short(&work->cut_short, options);
     if (!options->quiet || options->strict) glyph_notes_say_failures(&work->failures, options);
     int count = work->failures.count;
-    if (work->failures.lost || work->unblended.lost) return fail("%s", mt_status_text(MT_NO_MEMORY));
+    if (work->failures.lost || work->unblended.lost || work->cut_short.lost) return fail("%s", mt_status_text(MT_NO_MEMORY));
     if (!options->strict || count == 0) return DONE;
     return fail("%d glyph%s could not be blended; nothing written (--strict)", count, count == 1 ? "" : "s");
 }
@@ -323,6 +324,7 @@ static int make_blend(cli_work *work) {
     if (status != MT_OK) return work_fail(work, status);
     mt_blend_on_glyph_failure(work->blend, glyph_notes_add, &work->failures);
     mt_blend_on_unblended(work->blend, glyph_notes_add, &work->unblended);
+    mt_blend_on_cut_short(work->blend, glyph_notes_add, &work->cut_short);
     mt_blend_on_progress(work->blend, progress_draw, &work->bar);
     return DONE;
 }
@@ -348,6 +350,7 @@ static int make_variable(cli_work *work) {
     if (status != MT_OK) return work_fail(work, status);
     mt_variable_on_glyph_failure(work->variable, glyph_notes_add, &work->failures);
     mt_variable_on_unblended(work->variable, glyph_notes_add, &work->unblended);
+    mt_variable_on_cut_short(work->variable, glyph_notes_add, &work->cut_short);
     mt_variable_on_progress(work->variable, progress_draw, &work->bar);
     return DONE;
 }
@@ -412,4 +415,5 @@ void work_end(cli_work *work) {
     choices_free(&work->text);
     glyph_notes_free(&work->failures);
     glyph_notes_free(&work->unblended);
+    glyph_notes_free(&work->cut_short);
 }

@@ -63,6 +63,9 @@ struct mt_block {
     alignas(max_align_t) unsigned char bytes[];
 };
 
+/* Bytes that are set to zero in a step. */
+enum { BYTES_A_STEP = 64 };
+
 enum { BLOCK_MIN = 1 << 16, BLOCK_DOUBLED_MOST = 1 << 24 };
 
 static void *take(mt_block *block, size_t size) {
@@ -98,28 +101,26 @@ static mt_block *next_block(mt_arena *arena, size_t size) {
     return *next = block;
 }
 
-static void *take_from(mt_arena *arena, size_t bytes) {
-    void *memory = take(arena->current, bytes);
-    if (memory) return memory;
-    mt_block *block = next_block(arena, bytes);
-    if (!block) return NULL;
-    arena->current = block;
-    return take(block, bytes);
-}
-
-/* Counts what was taken, whose bytes were set to zero. */
-static void count_bytes(mt_arena *arena, size_t bytes) {
-    enum { BYTES_A_STEP = 64 };
-    mt_arena_has_room(arena, bytes);
-    mt_arena_spend(arena, (int64_t)(bytes / BYTES_A_STEP));
-    arena->taken += bytes;
+/* Whether the task may take so many bytes more. What it asks for counts, not the blocks, so that it is the same whatever was made before. */
+static bool may_take(mt_arena *arena, size_t bytes) {
+    if (!arena->bounded || bytes <= arena->most - arena->used) return true;
+    arena->steps = -1;
+    return false;
 }
 
 void *mt_arena_new(mt_arena *arena, size_t count, size_t size) {
     if (size && count > (PTRDIFF_MAX - alignof(max_align_t)) / size) return NULL;
     size_t bytes = (count * size + alignof(max_align_t) - 1) / alignof(max_align_t) * alignof(max_align_t);
-    void *memory = take_from(arena, bytes);
-    if (memory) count_bytes(arena, bytes);
+    if (!may_take(arena, bytes)) return NULL;
+    void *memory = take(arena->current, bytes);
+    if (!memory) {
+        mt_block *block = next_block(arena, bytes);
+        if (!block) return NULL;
+        arena->current = block;
+        memory = take(block, bytes);
+    }
+    arena->used += bytes;
+    mt_arena_spend(arena, (int64_t)(bytes / BYTES_A_STEP));
     return memory;
 }
 
@@ -133,8 +134,8 @@ void *mt_arena_grow_list(mt_arena *arena, void *list, int count, int *room, size
 
 void mt_arena_reset(mt_arena *arena) {
     arena->current = NULL;
-    arena->taken = 0;
-    mt_arena_bound(arena, 0);
+    arena->used = 0;
+    mt_arena_bound(arena, NULL);
 }
 
 void mt_arena_release(mt_arena *arena) {
@@ -146,22 +147,22 @@ void mt_arena_release(mt_arena *arena) {
 }
 
 mt_arena_place mt_arena_mark(const mt_arena *arena) {
-    return (mt_arena_place){arena->current, arena->current ? arena->current->used : 0, arena->taken};
+    return (mt_arena_place){arena->current, arena->current ? arena->current->used : 0, arena->used};
 }
 
 void mt_arena_rewind(mt_arena *arena, mt_arena_place place) {
     arena->current = place.block;
-    arena->taken = place.taken;
-    if (place.block) place.block->used = place.used;
+    arena->used = place.used;
+    if (place.block) place.block->used = place.block_used;
 }
 
 /* ---- work ---------------------------------------------------------------------------------------------- */
 
-void mt_arena_bound(mt_arena *arena, int64_t steps) {
-    enum { STEPS_A_BYTE = 8 };
-    arena->steps = steps;
-    arena->bounded = steps > 0;
-    arena->most = (size_t)(steps / STEPS_A_BYTE);
+void mt_arena_bound(mt_arena *arena, const mt_allowance *allowance) {
+    arena->bounded = allowance != NULL;
+    if (!allowance) return;
+    arena->steps = allowance->steps;
+    arena->most = allowance->bytes < SIZE_MAX - arena->used ? arena->used + allowance->bytes : SIZE_MAX;
 }
 
 bool mt_arena_spend(mt_arena *arena, int64_t steps) {
@@ -170,11 +171,11 @@ bool mt_arena_spend(mt_arena *arena, int64_t steps) {
     return arena->steps >= 0;
 }
 
-bool mt_arena_has_room(mt_arena *arena, size_t bytes) {
-    bool enough = arena->taken <= arena->most && bytes <= arena->most - arena->taken;
-    return enough || mt_arena_spend(arena, INT64_MAX);
-}
-
 bool mt_arena_is_spent(const mt_arena *arena) {
     return arena->bounded && arena->steps < 0;
+}
+
+mt_status mt_arena_verdict(const mt_arena *arena, mt_status status) {
+    bool out = status == MT_NO_MEMORY || status == MT_TOO_LARGE;
+    return out && mt_arena_is_spent(arena) ? MT_TOO_COSTLY : status;
 }

@@ -10,6 +10,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "morphotype.h"
+
 /* The allocator underneath, replaceable by a test: `resize` is realloc's contract, with size 0 meaning free. */
 typedef void *(*mt_resize)(void *memory, size_t size);
 void mt_memory_replace(mt_resize resize); /* NULL goes back to the C library's */
@@ -27,10 +29,10 @@ char *mt_copy_text(const char *text);
 typedef struct mt_block mt_block;
 typedef struct mt_arena {
     mt_block *first, *current;
-    size_t taken, most; /* bytes of what is in it; where its task is bounded, how many there may be */
-    int64_t steps;      /* that its task may still do, where it is bounded */
+    size_t used, most; /* bytes handed out; and that may be, where it is bounded */
+    int64_t steps;     /* that its task may still do, where it is bounded */
     bool bounded;
-} mt_arena; /* all zero is an empty arena, whose task may do as much as it likes */
+} mt_arena; /* all zero is an empty arena, whose task may do and take as much as it likes */
 
 /* count × size bytes, zeroed, aligned for any type; belongs to the arena. */
 void *mt_arena_new(mt_arena *arena, size_t count, size_t size);
@@ -42,17 +44,22 @@ void mt_arena_release(mt_arena *arena); /* the blocks too */
 /* A place in an arena: what was made after mt_arena_mark is gone after mt_arena_rewind. */
 typedef struct mt_arena_place {
     mt_block *block;
-    size_t used, taken;
+    size_t block_used, used;
 } mt_arena_place;
 mt_arena_place mt_arena_mark(const mt_arena *arena);
 void mt_arena_rewind(mt_arena *arena, mt_arena_place place);
 
-/* The work of an arena's task, counted in steps that are the same on any machine: a cell of a table, two points compared, a corner of a
- * union, 64 bytes made. Bounds what the task does from here on, or with 0 takes the bound away. The arena may hold an eighth as many bytes:
- * with more the steps are spent. */
-void mt_arena_bound(mt_arena *arena, int64_t steps);
+/* What an arena's task may do, in steps that are the same on any machine (a cell of a table, two points compared, a corner of a union, 64 bytes made), and
+ * the bytes that it may take. */
+typedef struct mt_allowance {
+    int64_t steps;
+    size_t bytes;
+} mt_allowance;
+/* Bounds what the task does and takes from here on; NULL takes the bound away. A call that needs more bytes than are left fails as one
+ * out of memory does, and the steps are spent as well. */
+void mt_arena_bound(mt_arena *arena, const mt_allowance *allowance);
 /* Takes steps that are to be done off those left; false where there are not as many, and from then on. */
 bool mt_arena_spend(mt_arena *arena, int64_t steps);
-/* Whether a large table of so many bytes may be made; where not, the steps are spent. */
-bool mt_arena_has_room(mt_arena *arena, size_t bytes);
 bool mt_arena_is_spent(const mt_arena *arena);
+/* What a status means of a task: MT_TOO_COSTLY where its allowance is why it was out of memory, or too large. */
+mt_status mt_arena_verdict(const mt_arena *arena, mt_status status);

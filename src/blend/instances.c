@@ -109,8 +109,9 @@ static mt_status fall_back(mt_glyph_task *task, mt_instances *fonts) {
         if (is_assembled(fonts, task->glyph, i)) continue;
         mt_outline outline = {0};
         mt_status status = mt_shape_outline(nearer_shape(task, fonts->t[i]), params, task->scratch, &outline);
+        status = mt_arena_verdict(task->scratch, status);
         if (status == MT_OK) status = keep(task, fonts, i, &outline);
-        if (status != MT_OK && status != MT_TOO_LARGE) return status;
+        if (status != MT_OK && status != MT_TOO_LARGE && status != MT_TOO_COSTLY) return status;
         if (status == MT_OK) continue;
         fonts->glyphs[i][task->glyph] = (mt_glyf){0};
         fonts->extents[i][task->glyph] = (mt_extent){0};
@@ -120,10 +121,11 @@ static mt_status fall_back(mt_glyph_task *task, mt_instances *fonts) {
 
 static mt_status take(mt_glyph_task *task, mt_status prepared, void *user) {
     mt_instances *fonts = user;
-    mt_status status = prepared == MT_OK ? draw(task, fonts) : prepared;
+    mt_status status = prepared == MT_OK ? mt_arena_verdict(task->scratch, draw(task, fonts)) : prepared;
     if (status == MT_OK || status == MT_NO_MEMORY) return status;
     fonts->failed[task->glyph] = true;
     mt_task_report(task, status);
+    mt_pair_allow(task->making->row, task->scratch);
     return fall_back(task, fonts);
 }
 

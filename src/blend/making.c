@@ -32,6 +32,11 @@ void mt_task_report(const mt_glyph_task *task, mt_status why) {
     mt_making_report(task->making, task->glyph, font, why);
 }
 
+static void report_cut_short(const mt_glyph_task *task) {
+    const mt_glyph_note note = note_of(task->making, task->glyph, -1, MT_TOO_COSTLY);
+    if (task->glyph != 0) mt_row_report_cut_short(task->making->row, &note);
+}
+
 /* Before the first glyph is made: nobody else calls the caller yet. */
 static void note_unblended(const mt_making *making) {
     const mt_row *row = making->row;
@@ -142,8 +147,11 @@ static mt_status take(mt_glyph_task *task, const bool *wanted) {
     if (prepared == MT_NO_MEMORY) return prepared;
     if (prepared == MT_OK && task->glyph != 0 && task->b != MT_NO_PARTNER)
         count_proof(making->row, &task->pair.morph);
-    for (int i = 0; i < making->sink_count && status == MT_OK; i++)
+    if (prepared == MT_OK && task->pair.morph.cut_short) report_cut_short(task);
+    for (int i = 0; i < making->sink_count && status == MT_OK; i++) {
+        mt_pair_allow(making->row, task->scratch);
         if (wanted[i]) status = making->sinks[i].take(task, prepared, making->sinks[i].user);
+    }
     return status;
 }
 

@@ -76,7 +76,9 @@ static mt_status stay_as(const mt_glyph_task *task, const mt_shape *shape, mt_st
     mt_outline outline, blank = {0};
     mt_status status = mt_shape_outline(shape, &task->making->row->params, task->scratch, &outline);
     if (status == MT_OK) status = stay(task, &outline, stretch, segment);
-    return status == MT_TOO_LARGE ? stay(task, &blank, stretch, segment) : status;
+    status = mt_arena_verdict(task->scratch, status);
+    bool too_much = status == MT_TOO_LARGE || status == MT_TOO_COSTLY;
+    return too_much ? stay(task, &blank, stretch, segment) : status;
 }
 
 /* A glyph that some font has not: the first font's own, on the whole axis. */
@@ -165,8 +167,10 @@ static mt_status take(mt_glyph_task *task, mt_status prepared, void *user) {
     mt_status status = prepared;
     if (status == MT_OK)
         status = task->b == MT_NO_PARTNER ? keep_own(task, track) : move(task, stretch, track);
+    status = mt_arena_verdict(task->scratch, status);
     if (status == MT_OK || status == MT_NO_MEMORY) return status;
     mt_task_report(task, status);
+    mt_pair_allow(task->making->row, task->scratch);
     return fall_back(task, stretch, track);
 }
 

@@ -2,6 +2,7 @@
 #include "blend/pair.h"
 
 #include "blend/slant.h"
+#include "geometry/limits.h"
 #include "geometry/layers.h"
 #include "glyphset/match.h"
 #include "morph/prepare.h"
@@ -46,8 +47,16 @@ mt_status mt_row_find_leans(mt_row *row) {
     return status;
 }
 
-mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,
-                          mt_glyph_pair *pair) {
+void mt_pair_allow(const mt_row *row, mt_arena *arena) {
+    double effort = row->params.effort;
+    mt_allowance allowance = {(int64_t)(effort * (double)MT_GLYPH_STEPS),
+                              (size_t)(effort * (double)MT_GLYPH_BYTES)};
+    mt_arena_bound(arena, &allowance);
+}
+
+/* As mt_pair_prepare, within the arena's allowance. */
+static mt_status prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,
+                         mt_glyph_pair *pair) {
     double tolerance = row->params.tolerance;
     bool alone = b == MT_NO_PARTNER;
     mt_status in_b = MT_OK;
@@ -65,6 +74,14 @@ mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_aren
     params.lean = row->leans[step];
     mt_status status = mt_morph_prepare(&pair->a, &pair->b, &hints, &params, arena, &pair->morph);
     if (status == MT_NO_COUNTERPART) pair->at_fault = pair->a.count > 0;
+    return status;
+}
+
+mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,
+                          mt_glyph_pair *pair) {
+    mt_pair_allow(row, arena);
+    mt_status status = mt_arena_verdict(arena, prepare(row, step, a, b, arena, pair));
+    mt_arena_bound(arena, NULL);
     return status;
 }
 

@@ -163,6 +163,12 @@ void mt_row_report(mt_row *row, const mt_glyph_note *note) {
     pthread_mutex_unlock(&row->lock);
 }
 
+void mt_row_report_cut_short(mt_row *row, const mt_glyph_note *note) {
+    pthread_mutex_lock(&row->lock);
+    if (row->cut_short) row->cut_short(note, row->cut_short_user);
+    pthread_mutex_unlock(&row->lock);
+}
+
 static void on_failure(mt_row *row, mt_glyph_noted call, void *user) {
     row->failure = call;
     row->failure_user = user;
@@ -171,6 +177,11 @@ static void on_failure(mt_row *row, mt_glyph_noted call, void *user) {
 static void on_unblended(mt_row *row, mt_glyph_noted call, void *user) {
     row->kept = call;
     row->kept_user = user;
+}
+
+static void on_cut_short(mt_row *row, mt_glyph_noted call, void *user) {
+    row->cut_short = call;
+    row->cut_short_user = user;
 }
 
 static mt_status review(const mt_row *row, mt_warning call, void *user) {
@@ -215,6 +226,10 @@ void mt_blend_on_glyph_failure(mt_blend *blend, mt_glyph_noted call, void *user)
 
 void mt_blend_on_unblended(mt_blend *blend, mt_glyph_noted call, void *user) {
     on_unblended(&blend->row, call, user);
+}
+
+void mt_blend_on_cut_short(mt_blend *blend, mt_glyph_noted call, void *user) {
+    on_cut_short(&blend->row, call, user);
 }
 
 void mt_blend_on_left_out(mt_blend *blend, mt_left_out_noted call, void *user) {
@@ -303,6 +318,10 @@ void mt_variable_on_glyph_failure(mt_variable *variable, mt_glyph_noted call, vo
 
 void mt_variable_on_unblended(mt_variable *variable, mt_glyph_noted call, void *user) {
     on_unblended(&variable->row, call, user);
+}
+
+void mt_variable_on_cut_short(mt_variable *variable, mt_glyph_noted call, void *user) {
+    on_cut_short(&variable->row, call, user);
 }
 
 void mt_variable_on_left_out(mt_variable *variable, mt_left_out_noted call, void *user) {

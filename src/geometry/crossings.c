@@ -6,6 +6,10 @@
 /* What a corner, a crossing and a pair of edges at one height cost a union, in steps (base/memory.h). */
 enum { CORNER_STEPS = 64, CROSSING_STEPS = 128, COMPARED_STEPS = 32 };
 
+/* Pairs of edges that may be at one height, by bands; what each is taken to cost where these are few enough not to be counted, and the
+ * share of the steps left up to which they are few. Most do not cross. */
+enum { BANDS = 64, PAIR_STEPS = 8, PAIRS_SHARE = 4096 };
+
 typedef struct mt_edge {
     mt_point low, high; /* by y */
 } mt_edge;
@@ -72,15 +76,66 @@ mt_status mt_count_crossings(const mt_rings *rings, int64_t most, mt_arena *aren
     return MT_OK;
 }
 
-mt_status mt_pay_for_union(const mt_rings *rings, mt_arena *arena) {
-    if (!arena->bounded) return MT_OK;
-    mt_arena_place before = mt_arena_mark(arena);
+/* ---- what a union costs ------------------------------------------------------------------------------------- */
+
+typedef struct mt_heights {
+    int32_t low;
+    int64_t each;         /* the height of a band */
+    int64_t edges[BANDS]; /* that reach into each band */
+} mt_heights;
+
+static mt_heights heights_of(const mt_rings *rings) {
+    int32_t low = INT32_MAX, high = INT32_MIN;
+    for (int i = 0; i < rings->count; i++)
+        for (int k = 0; k < rings->rings[i].count; k++) {
+            int32_t y = rings->rings[i].points[k].y;
+            low = y < low ? y : low;
+            high = y > high ? y : high;
+        }
+    return (mt_heights){.low = low, .each = ((int64_t)high - low) / BANDS + 1};
+}
+
+static int band_of(const mt_heights *heights, int32_t y) {
+    return (int)(((int64_t)y - heights->low) / heights->each);
+}
+
+/* The most pairs of edges that can be at one height: both of a pair reach into one band. O(n BANDS). */
+static int64_t most_compared(const mt_rings *rings) {
+    mt_heights heights = heights_of(rings);
+    for (int i = 0; i < rings->count; i++) {
+        const mt_ring *ring = &rings->rings[i];
+        for (int k = 0; k < ring->count; k++) {
+            int from = band_of(&heights, ring->points[k].y),
+                to = band_of(&heights, ring->points[k + 1 < ring->count ? k + 1 : 0].y);
+            for (int b = from < to ? from : to; b <= (from < to ? to : from); b++) heights.edges[b]++;
+        }
+    }
+    int64_t pairs = 0;
+    for (int b = 0; b < BANDS; b++) pairs += heights.edges[b] * (heights.edges[b] - 1) / 2;
+    return pairs;
+}
+
+/* What a union costs beside its corners, in steps. Where there is little to cross it is not counted. */
+static mt_status crossing_steps(const mt_rings *rings, mt_arena *arena, int64_t *steps) {
+    int64_t pairs = most_compared(rings);
     mt_crossings met;
+    if (pairs <= arena->steps / PAIRS_SHARE) {
+        *steps = PAIR_STEPS * pairs;
+        return MT_OK;
+    }
+    mt_arena_place before = mt_arena_mark(arena);
     mt_status status = mt_count_crossings(rings, arena->steps / CROSSING_STEPS, arena, &met);
     mt_arena_rewind(arena, before);
-    if (status == MT_TOO_LARGE) mt_arena_spend(arena, INT64_MAX);
+    *steps = status == MT_OK ? CROSSING_STEPS * met.count + COMPARED_STEPS * met.compared : INT64_MAX / 2;
+    return status == MT_TOO_LARGE ? MT_OK : status;
+}
+
+mt_status mt_pay_for_union(const mt_rings *rings, mt_arena *arena) {
+    int64_t steps;
+    if (!arena->bounded || mt_rings_corners(rings) == 0) return MT_OK;
+    if (mt_arena_is_spent(arena)) return MT_TOO_LARGE;
+    mt_status status = crossing_steps(rings, arena, &steps);
     if (status != MT_OK) return status;
-    int64_t steps = CORNER_STEPS * (int64_t)mt_rings_corners(rings) + CROSSING_STEPS * met.count +
-                    COMPARED_STEPS * met.compared;
-    return mt_arena_spend(arena, steps) ? MT_OK : MT_TOO_LARGE;
+    bool paid = mt_arena_spend(arena, steps + CORNER_STEPS * (int64_t)mt_rings_corners(rings));
+    return paid ? MT_OK : MT_TOO_LARGE;
 }

@@ -30,6 +30,11 @@ static inline double mt_grid_units(double thousandths) {
  * samples of the other, 5 or 4 bytes each. Two rings of 8 000 samples are past anything drawn. */
 #define MT_ALIGNMENT_MAX (1 << 26)
 
+/* What the morph of one glyph may do, in steps (base/memory.h), and take of memory, with an effort of 1; its outline, once more. A step is some
+ * four nanoseconds. Drawings of the same kind take some millions, the most ornate of 500 that are unlike 4 000 millions for all settings. */
+#define MT_GLYPH_STEPS ((int64_t)600000000)
+#define MT_GLYPH_BYTES ((size_t)96 << 20)
+
 /* A file of hints: bytes, hints in it, and hints for one glyph. A person sets some ten for a glyph, and needs them for a few
  * hundred glyphs. */
 #define MT_HINT_FILE_MAX (1 << 24)

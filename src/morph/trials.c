@@ -55,9 +55,9 @@ static mt_status join(const mt_morph *matched, const mt_join_context *context, m
     return status == MT_OK ? mt_map_pieces(joined, context->params, arena) : status;
 }
 
-/* What the arena's steps did not do for is left as it is. */
-static mt_status as_far_as_steps_go(mt_status status, const mt_arena *arena) {
-    return status == MT_TOO_LARGE && mt_arena_is_spent(arena) ? MT_OK : status;
+/* What the arena's allowance did not do for is left as it is. */
+static mt_status as_far_as_it_goes(mt_status status, const mt_arena *arena) {
+    return mt_arena_verdict(arena, status) == MT_TOO_COSTLY ? MT_OK : status;
 }
 
 /* Repairs the topology: reconnects parts that separate, separates parts that touch. */
@@ -118,7 +118,7 @@ static mt_status try_settings(const mt_morph *matched, const mt_join_context *co
     status = mt_look_at_morph(onlooker, tried.morph, context->params, tried.arena, &seen);
     double score = mt_appearance_score(&seen);
     if (status != MT_OK || score >= choice->loss) return status;
-    status = as_far_as_steps_go(repair(&tried), tried.arena);
+    status = as_far_as_it_goes(repair(&tried), tried.arena);
     choice->best.effort = tried.effort;
     double loss = mt_appearance_loss(score, tried.error.parts);
     bool right = tried.error.parts == 0 && score <= SCORE_GOOD;
@@ -158,7 +158,7 @@ static mt_status try_all(const mt_morph *morph, const mt_hints *hints, const mt_
         mt_morph matched = placed(morph, &registered, settings.placing);
         status = try_settings(&matched, &context, onlooker, trials, choice);
     }
-    return choice->loss < INFINITY ? as_far_as_steps_go(status, arena) : status;
+    return choice->loss < INFINITY ? as_far_as_it_goes(status, arena) : status;
 }
 
 mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
@@ -169,9 +169,10 @@ mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *
     mt_status status = try_all(morph, hints, params, &trials, &choice);
     if (status == MT_OK && choice.loss == INFINITY && mt_arena_is_spent(arena)) status = MT_TOO_LARGE;
     if (status == MT_OK && choice.best.error.opened > 0)
-        status = as_far_as_steps_go(mt_keep_counters(&choice.best), arena);
+        status = as_far_as_it_goes(mt_keep_counters(&choice.best), arena);
     if (status != MT_OK) return status;
     *morph = *choice.best.morph;
     morph->proved = choice.best.error.proved && choice.best.error.stays;
+    morph->cut_short = mt_arena_is_spent(arena);
     return MT_OK;
 }

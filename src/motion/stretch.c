@@ -14,6 +14,7 @@
  * Han characters of 64 strokes take half of the first, drawings of 10 000 points nearly all of the second. */
 #define TEXT_STEPS ((int64_t)1 << 33)
 #define DRAWING_STEPS ((int64_t)1 << 30)
+enum { STEPS_A_BYTE = 8 }; /* that it may take */
 
 /* ---- one part ------------------------------------------------------------------------------------------ */
 
@@ -47,11 +48,13 @@ static mt_status keep_contours(const mt_variable_outline *contours, mt_arena *ke
 /* The contours between two shapes, each task within its steps. */
 static mt_status move(const mt_shape *a, const mt_shape *b, const mt_hints *hints, const mt_params *params,
                       int64_t steps, mt_arena *scratch, mt_morph *prepared, mt_variable_outline *contours) {
-    mt_arena_bound(scratch, steps);
+    const mt_allowance allowance = {steps, (size_t)(steps / STEPS_A_BYTE)};
+    mt_arena_bound(scratch, &allowance);
     mt_status status = mt_morph_prepare(a, b, hints, params, scratch, prepared);
-    mt_arena_bound(scratch, steps);
+    mt_arena_bound(scratch, &allowance);
     if (status == MT_OK) status = mt_variable_outline_make(prepared, params, scratch, contours);
-    mt_arena_bound(scratch, 0);
+    status = mt_arena_verdict(scratch, status);
+    mt_arena_bound(scratch, NULL);
     return status;
 }
 

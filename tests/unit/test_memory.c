@@ -186,12 +186,12 @@ static void work_is_bounded(void **state) {
     (void)state;
     mt_arena arena = {0};
     assert_true(mt_arena_spend(&arena, INT64_MAX) && !mt_arena_is_spent(&arena));
-    mt_arena_bound(&arena, 10);
+    mt_arena_bound(&arena, &(mt_allowance){10, 1000});
     assert_true(mt_arena_spend(&arena, 7) && mt_arena_spend(&arena, 3) && !mt_arena_is_spent(&arena));
     assert_false(mt_arena_spend(&arena, 1));
     assert_false(mt_arena_spend(&arena, 0));
     assert_true(mt_arena_is_spent(&arena));
-    mt_arena_bound(&arena, 5);
+    mt_arena_bound(&arena, &(mt_allowance){5, 1000});
     assert_true(mt_arena_spend(&arena, 5));
     assert_false(mt_arena_spend(&arena, INT64_MAX));
     mt_arena_reset(&arena);
@@ -199,30 +199,34 @@ static void work_is_bounded(void **state) {
     mt_arena_release(&arena);
 }
 
-/* What is taken back makes room; what is too much spends the steps, though it is given. */
-static void bounded_work_holds_so_much(void **state) {
+/* What is asked for counts, whatever blocks there are; what was made after a mark counts no more once it is gone. */
+static void memory_is_bounded(void **state) {
     (void)state;
     mt_arena arena = {0};
-    assert_true(mt_arena_has_room(&arena, SIZE_MAX));
-    mt_arena_bound(&arena, 8000);
-    mt_arena_place before = mt_arena_mark(&arena);
-    for (int i = 0; i < 3; i++) {
-        assert_non_null(mt_arena_new(&arena, 1, 800));
-        mt_arena_rewind(&arena, before);
-    }
-    assert_true(mt_arena_has_room(&arena, 1000) && !mt_arena_is_spent(&arena));
-    assert_non_null(mt_arena_new(&arena, 1, 800));
-    assert_false(mt_arena_has_room(&arena, 201));
-    assert_true(mt_arena_is_spent(&arena));
-    mt_arena_bound(&arena, 8000);
-    assert_non_null(mt_arena_new(&arena, 1, 800));
-    assert_true(mt_arena_is_spent(&arena));
+    assert_non_null(mt_arena_new(&arena, 1 << 20, 1));
+    mt_arena_reset(&arena);
+    assert_non_null(mt_arena_new(&arena, 500, 1));
+    mt_arena_bound(&arena, &(mt_allowance){10, 1000});
+    mt_arena_place place = mt_arena_mark(&arena);
+    assert_non_null(mt_arena_new(&arena, 900, 1));
+    mt_arena_rewind(&arena, place);
+    assert_non_null(mt_arena_new(&arena, 900, 1));
+    assert_false(mt_arena_is_spent(&arena));
+    assert_int_equal(mt_arena_verdict(&arena, MT_NO_MEMORY), MT_NO_MEMORY);
+    assert_null(mt_arena_new(&arena, 200, 1));
+    assert_true(mt_arena_is_spent(&arena) && !mt_arena_spend(&arena, 1));
+    assert_int_equal(mt_arena_verdict(&arena, MT_NO_MEMORY), MT_TOO_COSTLY);
+    assert_int_equal(mt_arena_verdict(&arena, MT_TOO_LARGE), MT_TOO_COSTLY);
+    assert_int_equal(mt_arena_verdict(&arena, MT_BAD_GEOMETRY), MT_BAD_GEOMETRY);
+    mt_arena_bound(&arena, NULL);
+    assert_non_null(mt_arena_new(&arena, 5000, 1));
     mt_arena_release(&arena);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(arrays),
+        cmocka_unit_test(memory_is_bounded),
         cmocka_unit_test(nothing_is_something),
         cmocka_unit_test(texts),
         cmocka_unit_test(products_that_overflow),
@@ -232,7 +236,6 @@ int main(void) {
         cmocka_unit_test(blocks_are_found_again),
         cmocka_unit_test(failures_change_nothing),
         cmocka_unit_test(work_is_bounded),
-        cmocka_unit_test(bounded_work_holds_so_much),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

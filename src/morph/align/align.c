@@ -183,7 +183,6 @@ static mt_status start_grid(const mt_cost_weights *weights, const mt_links *pins
     g->m = g->b.count;
     size_t cells = ((size_t)g->n + 1) * ((size_t)g->m + 1), row = (size_t)g->m + 1;
     if (cells > MT_ALIGNMENT_MAX || !mt_arena_spend(arena, (int64_t)cells * STARTS)) return MT_TOO_LARGE;
-    if (!mt_arena_has_room(arena, cells * (sizeof(float) + 1))) return MT_TOO_LARGE;
     g->costs = mt_arena_new(arena, cells, sizeof(float));
     g->rotated = mt_arena_new(arena, 5 * row, sizeof(float));
     g->moves = mt_arena_new(arena, cells, 1);

@@ -344,7 +344,7 @@ static mt_status start_matcher(const mt_boundary *from, int ring, const mt_bound
                            .arena = arena};
     t->n = from->first_of_ring[ring + 1] - t->first;
     size_t m = (size_t)to->count, cells = ((size_t)t->n + 1) * m, chords = (size_t)to->first_chord[to->count];
-    if (cells > MT_ALIGNMENT_MAX || !mt_arena_has_room(arena, cells * sizeof *t->how)) return MT_TOO_LARGE;
+    if (cells > MT_ALIGNMENT_MAX) return MT_TOO_LARGE;
     int *numbers = mt_arena_new(arena, 5 * m + 1 + chords, sizeof *numbers);
     t->open = mt_arena_new(arena, chords, sizeof *t->open);
     t->is_pending = mt_arena_new(arena, m, sizeof *t->is_pending);

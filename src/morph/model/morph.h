@@ -46,6 +46,7 @@ typedef struct mt_morph {
     double degrees; /* q of formula (5); 0 without rotation */
     bool
         proved; /* components and holes are in the ends' range at every T (check/topology.h); false: not known, or they are not */
+    bool cut_short; /* the allowance was spent before all settings were tried */
 } mt_morph;
 
 /* A whole morph as compatible masters (between/variable_outline.h). */
