@@ -59,7 +59,7 @@ typedef enum mt_status {
     MT_BAD_FEATURE, /* a feature setting is malformed */
     MT_BLANK,       /* there is no ink to work with */
     MT_BAD_DRAWING, /* a file is no SVG drawing, or a damaged one */
-    MT_TOO_COSTLY,     /* the work or memory that a glyph may take did not do: mt_params.effort */
+    MT_TOO_COSTLY,  /* the work or memory that a glyph may take did not do: mt_params.effort */
     MT_BAD_MESH,    /* a file is no mesh, or a damaged one */
     MT_NOT_SOLID,   /* a mesh is not closed or not oriented, crosses itself, or is empty */
 } mt_status;
@@ -124,7 +124,8 @@ typedef struct mt_params {
     mt_slant slant;
     double lean; /* by how many degrees B leans to the right of A, -45 … 45; read with MT_SLANT_GIVEN */
     int threads; /* that work on a font; 0: as many as the machine has cores */
-    double effort; /* how much work and memory a glyph may take, 0.01 … 100; 1: about two seconds, and 200 MB */
+    double
+        effort; /* how much work and memory a glyph may take, 0.01 … 100; 1: about two seconds, and 200 MB */
 } mt_params;
 
 MT_API mt_params mt_params_default(void);

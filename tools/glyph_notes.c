@@ -165,7 +165,8 @@ void glyph_notes_say_cut_short(glyph_notes *notes, const cli_options *options) {
         end = options->verbose ? from + 1 : notes->count;
         list_glyphs(&notes->list[from], end - from, glyphs, sizeof glyphs);
         bool one = end - from == 1;
-        say("%d glyph%s took all the effort that a glyph may, and %s the best until then; a larger --effort tries "
+        say("%d glyph%s took all the effort that a glyph may, and %s the best until then; a larger --effort "
+            "tries "
             "on: %s",
             end - from, one ? "" : "s", one ? "is" : "are", glyphs);
     }

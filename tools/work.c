@@ -237,7 +237,8 @@ int work_failures(cli_work *work) {
     if (!options->quiet) glyph_notes_say_cut_short(&work->cut_short, options);
     if (!options->quiet || options->strict) glyph_notes_say_failures(&work->failures, options);
     int count = work->failures.count;
-    if (work->failures.lost || work->unblended.lost || work->cut_short.lost) return fail("%s", mt_status_text(MT_NO_MEMORY));
+    if (work->failures.lost || work->unblended.lost || work->cut_short.lost)
+        return fail("%s", mt_status_text(MT_NO_MEMORY));
     if (!options->strict || count == 0) return DONE;
     return fail("%d glyph%s could not be blended; nothing written (--strict)", count, count == 1 ? "" : "s");
 }

@@ -51,6 +51,9 @@ struct mt_font {
     int form_count;
     mt_form *forms;
 
+    uint16_t *
+        weights; /* load.c: of each glyph of a TrueType font; 0: not known. NULL until there is a composite */
+
     mt_composed *composed; /* composed.c */
     int composed_count, composed_room;
 
@@ -93,6 +96,10 @@ void mt_font_free_composed(mt_font *font);
 /* metrics_file.c: reads the kerning beside a Type 1 font; only within the guard. What cannot be read is left out.
  * MT_NO_MEMORY. */
 mt_status mt_font_attach_metrics(mt_font *font);
+
+/* load.c: FT_Load_Glyph, where what the glyph's references lead to is bounded; only within the guard. MT_BAD_GLYPH, MT_TOO_LARGE,
+ * MT_NO_MEMORY. */
+mt_status mt_font_load(mt_font *font, uint32_t glyph, FT_Int32 flags);
 
 /* metrics.c: fills font->metrics, units, modified and embedding. */
 void mt_font_read_metrics(mt_font *font);

@@ -102,17 +102,17 @@ static void read_os2(const TT_OS2 *os2, mt_metrics *metrics) {
 /* ---- heights ------------------------------------------------------------------------------------------- */
 
 /* The top of a character's outline; `otherwise` when it has none. */
-static double measure_top(const mt_font *font, FT_ULong code_point, double otherwise) {
+static double measure_top(mt_font *font, FT_ULong code_point, double otherwise) {
     FT_UInt glyph = FT_Get_Char_Index(font->face, code_point);
     FT_BBox box;
-    if (glyph == 0 || FT_Load_Glyph(font->face, glyph, FT_LOAD_NO_SCALE | FT_LOAD_IGNORE_TRANSFORM) != 0)
+    if (glyph == 0 || mt_font_load(font, glyph, FT_LOAD_NO_SCALE | FT_LOAD_IGNORE_TRANSFORM) != MT_OK)
         return otherwise;
     FT_Outline *outline = &font->face->glyph->outline;
     if (font->face->glyph->format != FT_GLYPH_FORMAT_OUTLINE || outline->n_points == 0) return otherwise;
     return FT_Outline_Get_BBox(outline, &box) == 0 ? (double)box.yMax : otherwise;
 }
 
-static void measure_heights(const mt_font *font, mt_metrics *metrics) {
+static void measure_heights(mt_font *font, mt_metrics *metrics) {
     double em = font->face->units_per_EM;
     if (metrics->x_height <= 0) metrics->x_height = measure_top(font, 'x', 0.5 * em);
     if (metrics->cap_height <= 0) metrics->cap_height = measure_top(font, 'H', 0.7 * em);

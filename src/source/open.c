@@ -104,6 +104,7 @@ void mt_font_close(mt_font *font) {
     mt_font_free_composed(font);
     mt_font_discard(font);
     mt_free(font->forms);
+    mt_free(font->weights);
     mt_free(font->metrics_path);
     mt_free(font->metrics_bytes);
     mt_free(font->bytes);

@@ -134,7 +134,8 @@ typedef struct mt_load {
 static mt_status load(mt_font *font, void *user) {
     mt_load *wanted = user;
     if (FT_Get_Advance(font->face, wanted->glyph, FLAGS, &wanted->advance) != 0) return MT_BAD_GLYPH;
-    if (FT_Load_Glyph(font->face, wanted->glyph, FLAGS) != 0) return MT_BAD_GLYPH;
+    mt_status status = mt_font_load(font, wanted->glyph, FLAGS);
+    if (status != MT_OK) return status;
     return font->face->glyph->format == FT_GLYPH_FORMAT_OUTLINE ? MT_OK : MT_BAD_GLYPH;
 }
 

@@ -39,9 +39,10 @@ static bool list_glyphs(FT_Face face, mt_reader *reader) {
 }
 
 /* The whole as it is drawn. */
-static bool draw_whole(FT_Face face, mt_reader *reader, mt_status *status) {
-    if (FT_Load_Glyph(face, reader->glyph, FLAGS) != 0) return false;
-    const FT_Outline *outline = &face->glyph->outline;
+static bool draw_whole(mt_font *font, mt_reader *reader, mt_status *status) {
+    *status = mt_font_load(font, reader->glyph, FLAGS);
+    if (*status != MT_OK) return false;
+    const FT_Outline *outline = &font->face->glyph->outline;
     int count = outline->n_points;
     reader->points = mt_arena_new(reader->arena, (size_t)count, sizeof *reader->points);
     reader->tags = mt_arena_new(reader->arena, (size_t)count, 1);
@@ -83,7 +84,8 @@ static bool match_all(FT_Face face, mt_reader *reader) {
 static mt_status read_references(mt_font *font, void *user) {
     mt_reader *reader = user;
     mt_status status = MT_OK;
-    if (!list_glyphs(font->face, reader) || !draw_whole(font->face, reader, &status)) return status;
+    if (!list_glyphs(font->face, reader)) return MT_OK;
+    if (!draw_whole(font, reader, &status)) return status == MT_NO_MEMORY ? status : MT_OK;
     reader->found.list = mt_arena_new(reader->arena, (size_t)reader->count, sizeof(mt_reference));
     if (!reader->found.list) return MT_NO_MEMORY;
     if (!match_all(font->face, reader)) reader->found.count = 0;

@@ -69,9 +69,10 @@ static mt_status measure_top(const mt_font *font, double *top) {
 
 static mt_status measure_origin(mt_font *font, uint32_t glyph, double *origin) {
     double top;
-    if (FT_Load_Glyph(font->face, glyph, FLAGS) != 0) return MT_BAD_GLYPH;
+    mt_status status = mt_font_load(font, glyph, FLAGS);
+    if (status != MT_OK) return status;
     if (font->face->glyph->format != FT_GLYPH_FORMAT_OUTLINE) return MT_BAD_GLYPH;
-    mt_status status = measure_top(font, &top);
+    status = measure_top(font, &top);
     if (status == MT_OK) *origin = (double)font->face->glyph->metrics.vertBearingY + top;
     return status;
 }

@@ -30,9 +30,9 @@ mt_status mt_params_check(const mt_params *params) {
                 within(params->threshold, 0, 1) && within(params->degrees, -360, 360) &&
                 within(params->lean, -45, 45) && params->slant >= MT_SLANT_FOUND &&
                 params->slant <= MT_SLANT_GIVEN && params->rounds >= 0 && params->rounds <= 1000 &&
-                params->threads >= 0 && within(params->effort, 0.01, 100) && params->rotation >= MT_ROTATION_NONE &&
-                params->rotation <= MT_ROTATION_FOUND && params->method >= MT_METHOD_JOINT &&
-                params->method <= MT_METHOD_PAPER;
+                params->threads >= 0 && within(params->effort, 0.01, 100) &&
+                params->rotation >= MT_ROTATION_NONE && params->rotation <= MT_ROTATION_FOUND &&
+                params->method >= MT_METHOD_JOINT && params->method <= MT_METHOD_PAPER;
     double sum = 0;
     for (int i = 0; i < 3; i++) {
         fine = fine && within(params->weights[i], 0, 1);
