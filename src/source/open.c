@@ -105,6 +105,7 @@ void mt_font_close(mt_font *font) {
     mt_font_discard(font);
     mt_free(font->forms);
     mt_free(font->weights);
+    mt_arena_release(&font->scratch);
     mt_free(font->metrics_path);
     mt_free(font->metrics_bytes);
     mt_free(font->bytes);

@@ -22,6 +22,9 @@
 #define PART_LOSS 0.03
 #define PARTS_MOST 40
 
+/* What a corner costs where the largest disc is looked for, in steps of the arena. */
+enum { DISC_STEPS = 100 };
+
 #define FADED_STEP 0.1 /* shares of the fading that are tried, from 0 … */
 enum { FADED_STEPS = 7 };
 
@@ -36,6 +39,8 @@ struct mt_onlooker {
 static mt_status look_at_end(const mt_shape *shape, mt_arena *arena, mt_onlooker *o, int end) {
     mt_rings rings;
     mt_status status = mt_shape_rings(shape, arena, &rings);
+    if (status == MT_OK && !mt_arena_spend(arena, DISC_STEPS * (int64_t)mt_rings_corners(&rings)))
+        status = MT_TOO_LARGE;
     if (status != MT_OK) return status;
     mt_project(&rings, &o->frames[end], &o->ends[end]);
     o->disc = mt_largest_disc(&rings, o->disc);
@@ -101,6 +106,8 @@ mt_status mt_look_at_ink(const mt_onlooker *o, const mt_shape *ink, double t, mt
     mt_projection_frame frame = o->frames[0];
     frame.middle = (1 - t) * o->frames[0].middle + t * o->frames[1].middle;
     mt_status status = mt_shape_rings(ink, arena, &rings);
+    if (status == MT_OK && !mt_arena_spend(arena, DISC_STEPS * (int64_t)mt_rings_corners(&rings)))
+        status = MT_TOO_LARGE;
     if (status != MT_OK) return status;
     mt_project(&rings, &frame, &at);
     seen->strays = fmax(seen->strays, strays(o, &at, t));

@@ -217,12 +217,30 @@ static mt_status track_of(const mt_fit_state *f, mt_arena *arena, mt_track *trac
     return MT_OK;
 }
 
+/* ---- the work ----------------------------------------------------------------------------------------------- */
+
+/* What a step of an alignment costs to be fitted, and a node passed over where nodes stand on one another, in steps of the arena. */
+enum { FIT_STEPS = 1000, STANDING_STEPS = 8 };
+
+/* The sum of the squares of how many nodes stand on one another, in either master: looking for a neighbour passes over them. */
+static int64_t standing2(const mt_contour_pair *masters) {
+    int64_t sum = 0, run[2] = {1, 1};
+    for (int i = 1; i < masters->a.count; i++)
+        for (int m = 0; m < 2; m++) {
+            const mt_segment *s = m ? masters->b.segments : masters->a.segments;
+            run[m] = mt_point_equal(s[i - 1].end, s[i].end) ? run[m] + 1 : 1;
+            sum += 2 * run[m] - 1;
+        }
+    return sum;
+}
+
 mt_status mt_contour_pair_fit(const mt_ring_samples *a, const mt_ring_samples *b,
                               const mt_alignment *alignment, double tolerance, mt_arena *arena,
                               mt_contour_pair *masters) {
     mt_fit_state f = {{a, b}, alignment, NULL};
     mt_alignment met;
     mt_status status = pair_extrema(&f, arena, &met);
+    if (status == MT_OK && !mt_arena_spend(arena, FIT_STEPS * (int64_t)met.count)) status = MT_TOO_LARGE;
     if (status == MT_OK) status = find_breaks(&f, arena);
     if (status != MT_OK) return status;
     int n = met.count, start = first_step(&f);
@@ -238,6 +256,7 @@ mt_status mt_contour_pair_fit(const mt_ring_samples *a, const mt_ring_samples *b
         done += count;
     }
     mt_track track;
+    if (!mt_arena_spend(arena, STANDING_STEPS * standing2(&made))) return MT_TOO_LARGE;
     mt_contour_pair_tidy_lines(&made, steps, STRAIGHT_SHARE * tolerance);
     status = mt_contour_pair_smooth(&made, STRAIGHT_SHARE * tolerance, arena);
     if (status == MT_OK) status = track_of(&f, arena, &track);
