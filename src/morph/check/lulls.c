@@ -20,6 +20,9 @@
 #define PAIRS_MOST 1000
 #define CROSSINGS_MOST 4096
 
+/* What an edge and a pair of boxes cost, in steps of the arena. */
+enum { EDGE_STEPS = 64, PAIR_STEPS = 8 };
+
 /* Lulls, at most: with more, nothing is proved. */
 #define LULLS_MOST 64
 
@@ -310,5 +313,8 @@ mt_status mt_find_lulls(const mt_moving_edges *edges, double far, mt_arena *aren
     for (f.part = 0; edges->edge_count > 0 && f.known && f.status == MT_OK && f.part < edges->part_count;
          f.part++)
         look_at_part(&f);
+    int64_t looked = (int64_t)PAIRS_MOST * (edges->edge_count + 1) - f.pairs;
+    bool paid = mt_arena_spend(arena, EDGE_STEPS * (int64_t)edges->edge_count + PAIR_STEPS * looked);
+    if (f.status == MT_OK && !paid) return MT_TOO_LARGE;
     return f.status == MT_OK && f.known ? list_lulls(&f, far, lulls) : f.status;
 }

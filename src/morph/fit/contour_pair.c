@@ -219,8 +219,8 @@ static mt_status track_of(const mt_fit_state *f, mt_arena *arena, mt_track *trac
 
 /* ---- the work ----------------------------------------------------------------------------------------------- */
 
-/* What a step of an alignment costs to be fitted, and a node passed over where nodes stand on one another, in steps of the arena. */
-enum { FIT_STEPS = 1000, STANDING_STEPS = 8 };
+/* What a node costs that is passed over where nodes stand on one another, in steps of the arena. */
+enum { STANDING_STEPS = 8 };
 
 /* The sum of the squares of how many nodes stand on one another, in either master: looking for a neighbour passes over them. */
 static int64_t standing2(const mt_contour_pair *masters) {
@@ -240,7 +240,6 @@ mt_status mt_contour_pair_fit(const mt_ring_samples *a, const mt_ring_samples *b
     mt_fit_state f = {{a, b}, alignment, NULL};
     mt_alignment met;
     mt_status status = pair_extrema(&f, arena, &met);
-    if (status == MT_OK && !mt_arena_spend(arena, FIT_STEPS * (int64_t)met.count)) status = MT_TOO_LARGE;
     if (status == MT_OK) status = find_breaks(&f, arena);
     if (status != MT_OK) return status;
     int n = met.count, start = first_step(&f);
