@@ -31,8 +31,8 @@ static inline double mt_grid_units(double thousandths) {
 #define MT_ALIGNMENT_MAX (1 << 26)
 
 /* What the morph of one glyph may do, in steps (base/memory.h), and take of memory, with an effort of 1; its outline, once more. A step is some
- * four nanoseconds. Drawings of the same kind take some millions, the most ornate of 500 that are unlike 4 000 millions for all settings. */
-#define MT_GLYPH_STEPS ((int64_t)600000000)
+ * two nanoseconds. Drawings of the same kind take some millions, the most ornate of 500 that are unlike 4 000 millions for all settings. */
+#define MT_GLYPH_STEPS ((int64_t)1000000000)
 #define MT_GLYPH_BYTES ((size_t)96 << 20)
 
 /* A file of hints: bytes, hints in it, and hints for one glyph. A person sets some ten for a glyph, and needs them for a few

@@ -163,8 +163,7 @@ static mt_status try_all(const mt_morph *morph, const mt_hints *hints, const mt_
 
 mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
     mt_trials trials = {.morphs = mt_arena_new(arena, (size_t)mt_settings_count(), sizeof(mt_morph))};
-    mt_choice choice = {
-        {morph, params, arena, {.parts = INT_MAX}, MT_EFFORT}, INFINITY, false};
+    mt_choice choice = {{morph, params, arena, {.parts = INT_MAX}, MT_EFFORT}, INFINITY, false};
     if (!trials.morphs) return MT_NO_MEMORY;
     mt_status status = try_all(morph, hints, params, &trials, &choice);
     if (status == MT_OK && choice.loss == INFINITY && mt_arena_is_spent(arena)) status = MT_TOO_LARGE;
