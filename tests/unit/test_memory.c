@@ -206,7 +206,7 @@ static void memory_is_bounded(void **state) {
     assert_non_null(mt_arena_new(&arena, 1 << 20, 1));
     mt_arena_reset(&arena);
     assert_non_null(mt_arena_new(&arena, 500, 1));
-    mt_arena_bound(&arena, &(mt_allowance){10, 1000});
+    mt_arena_bound(&arena, &(mt_allowance){1000, 1000});
     mt_arena_place place = mt_arena_mark(&arena);
     assert_non_null(mt_arena_new(&arena, 900, 1));
     mt_arena_rewind(&arena, place);
