@@ -289,6 +289,7 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 's':
     case 'R':
     case 'I':
+    case 'g':
     case 'j': return read_param(options, letter, argument);
     case 'i':
     case 'u':

@@ -48,9 +48,10 @@ static mt_status keep_contours(const mt_variable_outline *contours, mt_arena *ke
 /* The contours between two shapes, each task within its steps. */
 static mt_status move(const mt_shape *a, const mt_shape *b, const mt_hints *hints, const mt_params *params,
                       int64_t steps, mt_arena *scratch, mt_morph *prepared, mt_variable_outline *contours) {
-    const mt_allowance allowance = {steps, (size_t)(steps / STEPS_A_BYTE)};
+    int64_t most = (int64_t)(params->effort * (double)steps);
+    const mt_allowance allowance = {most, (size_t)(most / STEPS_A_BYTE)};
     mt_arena_bound(scratch, &allowance);
-    mt_status status = mt_morph_prepare(a, b, hints, params, scratch, prepared);
+    mt_status status = mt_arena_verdict(scratch, mt_morph_prepare(a, b, hints, params, scratch, prepared));
     mt_arena_bound(scratch, &allowance);
     if (status == MT_OK) status = mt_variable_outline_make(prepared, params, scratch, contours);
     status = mt_arena_verdict(scratch, status);

@@ -74,8 +74,8 @@ class Effort(cli.Test):
         self.assertIn('than a glyph may', self.blend(font))
 
     def test_effort_is_settable(self):
-        said = self.bounded('blend', cli.ZENHEI, cli.UKAI, '--text', '龜龍', '--effort', '0.01', '-o', 'x.ttf')
-        self.assertIn('1 glyph took', said)
+        said = self.bounded('blend', cli.ZENHEI, cli.UKAI, '--text', '龜龍', '--effort', '0.1', '-o', 'x.ttf')
+        self.assertIn('2 glyphs took', said)
         self.assertIn('effort', said)
         said = self.bounded('blend', cli.ZENHEI, cli.UKAI, '--text', 'A', '-o', 'x.ttf')
         self.assertNotIn('effort', said)
