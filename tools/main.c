@@ -1,7 +1,9 @@
 /* morphotype COMMAND …: finds the subcommand and lets it run. */
 #include "commands.h"
 #include "help.h"
+#include "base/temporaries.h"
 #include "messages.h"
+#include "signals.h"
 #include "sources.h"
 #include "suggest.h"
 
@@ -10,6 +12,8 @@
 
 static int obey(const cli_command *command, cli_options *options) {
     int outcome = options->output ? sources_spare(options, options->output) : DONE;
+    signals_watch();
+    if (outcome == DONE && options->output) mt_temporaries_clear(options->output);
     return outcome == DONE ? command->run(options) : outcome;
 }
 

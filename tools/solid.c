@@ -1,5 +1,6 @@
 /* morphotype solid: what is between two solids, as a morph target, as meshes, as a picture or as data. */
 #include "base/file.h"
+#include "base/file_set.h"
 #include "commands.h"
 #include "mesh/read.h"
 #include "mesh/solid_blend.h"
@@ -142,15 +143,18 @@ static void tell_overlaps(const solid_work *this) {
 
 /* Puts the files in their places: all of them or none. */
 static int place_files(const outputs *named, const mt_buffer *files) {
-    for (int i = 0; i < named->count; i++) {
-        errno = 0;
-        mt_status status = mt_file_write(named->paths[i], files[i].bytes, files[i].length);
-        if (status == MT_OK) continue;
-        int outcome = fail_status(named->paths[i], status);
-        for (int k = 0; k < i; k++) unlink(named->paths[k]);
-        return outcome;
+    mt_file_set set;
+    int at = 0;
+    errno = 0;
+    mt_status status = mt_file_set_begin(named->paths[0], &set);
+    if (status != MT_OK) return fail_status(named->paths[0], status);
+    for (; at < named->count; at++) {
+        status = mt_file_set_add(&set, named->paths[at], files[at].bytes, files[at].length);
+        if (status != MT_OK) break;
     }
-    return DONE;
+    if (status == MT_OK) status = mt_file_set_place(&set, &at);
+    mt_file_set_free(&set);
+    return status == MT_OK ? DONE : fail_status(named->paths[at], status);
 }
 
 static int make_files(const solid_work *this, const outputs *named, mt_buffer *files) {

@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include "base/memory.h"
+#include "base/place.h"
+#include "base/temporaries.h"
 
 /* ---- reading ------------------------------------------------------------------------------------------- */
 
@@ -98,6 +100,7 @@ int mt_file_beside(const char *path, int (*make)(const char *name, mode_t mode),
     for (unsigned attempt = 0; attempt < 10000; attempt++) {
         snprintf(name + directory, MT_BESIDE_ROOM, ".morphotype-%ld-%u", (long)getpid(), attempt);
         int made = make(name, mode); /* the umask takes its part */
+        if (made >= 0) mt_temporary_begin(name);
         if (made >= 0 || errno != EEXIST) return made;
     }
     return -1;
@@ -118,26 +121,33 @@ static bool write_all(int file, const char *bytes, size_t length) {
     return true;
 }
 
-bool mt_file_fill(int file, const void *bytes, size_t length) {
-    bool done = write_all(file, bytes, length);
+bool mt_file_fill(int file, const void *bytes, size_t length, bool flush) {
+    bool done = write_all(file, bytes, length) && (!flush || mt_place_flush_file(file));
     int why = errno;
     if (close(file) != 0) return false;
     errno = why;
     return done;
 }
 
+/* Writes to a name beside the place, and renames. */
+static bool write_beside(const char *place, const void *bytes, size_t length, char *name) {
+    int file = mt_file_beside(place, create, 0666, name);
+    if (file < 0) return false;
+    mt_place_keep_mode(place, file);
+    bool done = mt_file_fill(file, bytes, length, true) && rename(name, place) == 0;
+    int why = errno;
+    if (!done) unlink(name);
+    mt_temporary_end(name);
+    errno = why;
+    return done;
+}
+
 mt_status mt_file_write(const char *path, const void *bytes, size_t length) {
     if (mt_file_check(path) != MT_OK) return MT_CANNOT_WRITE;
-    char *name = mt_new(strlen(path) + MT_BESIDE_ROOM, 1);
-    if (!name) return MT_NO_MEMORY;
-    int file = mt_file_beside(path, create, 0666, name);
-    bool done = false;
-    if (file >= 0) {
-        done = mt_file_fill(file, bytes, length) && rename(name, path) == 0;
-        int why = errno;
-        if (!done) unlink(name);
-        errno = why;
-    }
+    char *place = mt_place_of(path), *name = place ? mt_new(strlen(place) + MT_BESIDE_ROOM, 1) : NULL;
+    bool done = name && write_beside(place, bytes, length, name);
+    mt_status status = !name ? MT_NO_MEMORY : done ? MT_OK : MT_CANNOT_WRITE;
     mt_free(name);
-    return done ? MT_OK : MT_CANNOT_WRITE;
+    mt_free(place);
+    return status;
 }

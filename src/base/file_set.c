@@ -1,99 +1,123 @@
-/* A file that stands at a place steps aside, into the folder, before the new one is moved there; where that goes wrong, all go back. */
+/* What is new changes places with what stands there, one after the other; where that goes wrong, all change back. What stood there is
+ * where the new one was, then, and goes with the set. */
 #include "base/file_set.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
-#include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/place.h"
+#include "base/temporaries.h"
+
+typedef struct mt_set_entry {
+    char *path;   /* its place */
+    mt_folder of; /* a folder; all zero for a file */
+    char *fresh;  /* where it is until then */
+    bool stood;   /* something was at the place */
+} mt_set_entry;
 
 enum { NAME_ROOM = 32 };
 
-/* "new-7" or "old-7". */
-static void name_of(int number, bool is_new, char name[NAME_ROOM]) {
-    snprintf(name, NAME_ROOM, "%s-%d", is_new ? "new" : "old", number);
-}
-
 mt_status mt_file_set_begin(const char *path, mt_file_set *set) {
     mt_folder folder;
-    mt_status status = mt_folder_begin(path, &folder);
+    char *place = mt_place_of(path);
+    mt_status status = place ? mt_folder_begin(place, &folder) : MT_NO_MEMORY;
+    mt_free(place);
     if (status == MT_OK) *set = (mt_file_set){.folder = folder};
     return status;
 }
 
+/* ---- entries --------------------------------------------------------------------------------------------- */
+
+/* A new entry, not counted yet; NULL when out of memory. */
+static mt_set_entry *new_entry(mt_file_set *set) {
+    mt_set_entry *grown = mt_grow_list(set->entries, set->count, &set->room, sizeof *grown);
+    if (!grown) return NULL;
+    set->entries = grown;
+    grown[set->count] = (mt_set_entry){0};
+    return &grown[set->count];
+}
+
+static void free_entry(mt_set_entry *entry) {
+    mt_folder_free(&entry->of);
+    mt_free(entry->path);
+    mt_free(entry->fresh);
+}
+
+static mt_status write_entry(mt_set_entry *entry, const void *bytes, size_t length) {
+    int file = open(entry->fresh, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file < 0) return MT_CANNOT_WRITE;
+    mt_place_keep_mode(entry->path, file);
+    return mt_file_fill(file, bytes, length, true) ? MT_OK : MT_CANNOT_WRITE;
+}
+
 mt_status mt_file_set_add(mt_file_set *set, const char *path, const void *bytes, size_t length) {
-    char name[NAME_ROOM];
     if (mt_file_check(path) != MT_OK) return MT_CANNOT_WRITE;
-    char **grown = mt_grow_list(set->paths, set->count, &set->room, sizeof *grown);
-    if (!grown) return MT_NO_MEMORY;
-    set->paths = grown;
-    char *copy = mt_copy_text(path);
-    if (!copy) return MT_NO_MEMORY;
-    name_of(set->count, true, name);
-    mt_status status = mt_folder_add_file(&set->folder, name, bytes, length);
-    if (status == MT_OK)
-        grown[set->count++] = copy;
-    else
-        mt_free(copy);
-    return status;
+    mt_set_entry *entry = new_entry(set);
+    if (!entry) return MT_NO_MEMORY;
+    char name[NAME_ROOM];
+    snprintf(name, sizeof name, "new-%d", set->count);
+    entry->path = mt_place_of(path);
+    entry->fresh = mt_folder_path_in(set->folder.temporary, name);
+    mt_status status = entry->path && entry->fresh ? write_entry(entry, bytes, length) : MT_NO_MEMORY;
+    if (status != MT_OK) {
+        int why = errno;
+        free_entry(entry);
+        errno = why;
+        return status;
+    }
+    set->folder.length += length;
+    set->count++;
+    return MT_OK;
+}
+
+mt_status mt_file_set_add_folder(mt_file_set *set, mt_folder *folder, const char *mark) {
+    mt_status status = mt_folder_check(folder->path, mark);
+    if (status == MT_OK && !mt_place_flush_folder(folder->temporary)) status = MT_CANNOT_WRITE;
+    mt_set_entry *entry = status == MT_OK ? new_entry(set) : NULL;
+    if (status != MT_OK) return status;
+    if (!entry) return MT_NO_MEMORY;
+    entry->path = mt_copy_text(folder->path);
+    entry->fresh = mt_copy_text(folder->temporary);
+    if (!entry->path || !entry->fresh) {
+        free_entry(entry);
+        return MT_NO_MEMORY;
+    }
+    entry->of = *folder;
+    *folder = (mt_folder){.length = folder->length};
+    set->count++;
+    return MT_OK;
 }
 
 /* ---- placing --------------------------------------------------------------------------------------------- */
 
-/* Where files are in the folder; both have room for the longest name. */
-typedef struct mt_placing_paths {
-    char *fresh, *old;
-} mt_placing_paths;
-
-static void set_paths(const mt_file_set *set, int number, const mt_placing_paths *paths) {
-    char name[NAME_ROOM];
-    name_of(number, true, name);
-    sprintf(paths->fresh, "%s/%s", set->folder.temporary, name);
-    name_of(number, false, name);
-    sprintf(paths->old, "%s/%s", set->folder.temporary, name);
-}
-
-/* Back as it was: the new file in the folder, the old one at its place. */
-static void take_back(const mt_file_set *set, int number, const mt_placing_paths *paths) {
-    set_paths(set, number, paths);
-    rename(set->paths[number], paths->fresh);
-    rename(paths->old, set->paths[number]);
-}
-
-static bool place(const mt_file_set *set, int number, const mt_placing_paths *paths) {
-    struct stat about;
-    set_paths(set, number, paths);
-    bool stands = lstat(set->paths[number], &about) == 0;
-    if (stands && rename(set->paths[number], paths->old) != 0) return false;
-    if (rename(paths->fresh, set->paths[number]) == 0) return true;
-    int why = errno;
-    if (stands) rename(paths->old, set->paths[number]);
-    errno = why;
-    return false;
-}
-
-mt_status mt_file_set_place(mt_file_set *set) {
-    size_t room = strlen(set->folder.temporary) + NAME_ROOM + 1;
-    const mt_placing_paths paths = {mt_new(room, 1), mt_new(room, 1)};
-    mt_status status = paths.fresh && paths.old ? MT_OK : MT_NO_MEMORY;
-    for (int i = 0; status == MT_OK && i < set->count; i++) {
-        if (place(set, i, &paths)) continue;
-        int why = errno;
-        while (i > 0) take_back(set, --i, &paths);
-        errno = why;
-        status = MT_CANNOT_WRITE;
+static mt_status swap_all(const mt_file_set *set, int *failed) {
+    for (int i = 0; i < set->count; i++) {
+        mt_set_entry *entry = &set->entries[i];
+        if (mt_place_swap(entry->fresh, entry->path, &entry->stood)) continue;
+        *failed = i;
+        while (i-- > 0)
+            mt_place_swap_back(set->entries[i].fresh, set->entries[i].path, set->entries[i].stood);
+        return MT_CANNOT_WRITE;
     }
-    mt_free(paths.fresh);
-    mt_free(paths.old);
+    return MT_OK;
+}
+
+mt_status mt_file_set_place(mt_file_set *set, int *failed) {
+    mt_temporaries_hold();
+    mt_status status = swap_all(set, failed);
+    mt_temporaries_let_go();
     return status;
 }
 
 void mt_file_set_free(mt_file_set *set) {
-    for (int i = 0; i < set->count; i++) mt_free(set->paths[i]);
-    mt_free(set->paths);
+    int why = errno;
+    for (int i = 0; i < set->count; i++) free_entry(&set->entries[i]);
+    mt_free(set->entries);
     mt_folder_free(&set->folder);
     *set = (mt_file_set){0};
+    errno = why;
 }

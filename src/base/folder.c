@@ -2,7 +2,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <ftw.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -10,30 +9,15 @@
 
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/place.h"
+#include "base/temporaries.h"
+#include "base/tree.h"
 
-/* DIRECTORY/NAME, from mt_new. */
-static char *path_in(const char *directory, const char *name) {
+char *mt_folder_path_in(const char *directory, const char *name) {
     size_t room = strlen(directory) + strlen(name) + 2;
     char *path = mt_new(room, 1);
     if (path) snprintf(path, room, "%s/%s", directory, name);
     return path;
-}
-
-/* ---- removing --------------------------------------------------------------------------------------------- */
-
-static int remove_entry(const char *path, const struct stat *about, int kind, struct FTW *place) {
-    (void)about;
-    (void)kind;
-    (void)place;
-    return remove(path);
-}
-
-/* A link to a directory goes, and what it leads to stays. Leaves errno as it was. */
-void mt_folder_remove(const char *path) {
-    enum { OPEN_AT_ONCE = 16 };
-    int why = errno;
-    nftw(path, remove_entry, OPEN_AT_ONCE, FTW_DEPTH | FTW_PHYS);
-    errno = why;
 }
 
 /* ---- filling ---------------------------------------------------------------------------------------------- */
@@ -41,7 +25,7 @@ void mt_folder_remove(const char *path) {
 mt_status mt_folder_check(const char *path, const char *mark) {
     struct stat about;
     if (lstat(path, &about) != 0) return errno == ENOENT ? MT_OK : MT_CANNOT_WRITE;
-    char *inside = path_in(path, mark);
+    char *inside = mt_folder_path_in(path, mark);
     if (!inside) return MT_NO_MEMORY;
     bool marked = stat(inside, &about) == 0 && S_ISREG(about.st_mode);
     mt_free(inside);
@@ -63,7 +47,7 @@ mt_status mt_folder_begin(const char *path, mt_folder *folder) {
 }
 
 mt_status mt_folder_add_folder(mt_folder *folder, const char *name) {
-    char *path = path_in(folder->temporary, name);
+    char *path = mt_folder_path_in(folder->temporary, name);
     if (!path) return MT_NO_MEMORY;
     bool made = mkdir(path, 0777) == 0; /* the umask takes its part */
     mt_free(path);
@@ -71,63 +55,37 @@ mt_status mt_folder_add_folder(mt_folder *folder, const char *name) {
 }
 
 mt_status mt_folder_add_file(mt_folder *folder, const char *name, const void *bytes, size_t length) {
-    char *path = path_in(folder->temporary, name);
+    char *path = mt_folder_path_in(folder->temporary, name);
     if (!path) return MT_NO_MEMORY;
     int file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     mt_free(path);
-    if (file < 0 || !mt_file_fill(file, bytes, length)) return MT_CANNOT_WRITE;
+    if (file < 0 || !mt_file_fill(file, bytes, length, false)) return MT_CANNOT_WRITE;
     folder->length += length;
     return MT_OK;
 }
 
 /* ---- placing ---------------------------------------------------------------------------------------------- */
 
-/* One directory cannot be renamed over another: the old one steps aside, into a directory of its own, and back again if
- * the new one cannot be moved. */
-static bool exchange(const mt_folder *folder, const char *aside, const char *old) {
-    if (rename(folder->path, old) != 0) {
-        mt_folder_remove(aside);
-        return false;
-    }
-    bool placed = rename(folder->temporary, folder->path) == 0;
-    int why = errno;
-    bool needless = placed || rename(old, folder->path) == 0;
-    errno = why;
-    if (needless) mt_folder_remove(aside);
-    return placed;
-}
-
-static mt_status replace(const mt_folder *folder) {
-    char *aside = mt_new(strlen(folder->path) + MT_BESIDE_ROOM, 1), *old = NULL;
-    if (!aside) return MT_NO_MEMORY;
-    mt_status status = mt_file_beside(folder->path, mkdir, 0777, aside) < 0 ? MT_CANNOT_WRITE : MT_OK;
-    if (status == MT_OK && !(old = path_in(aside, "old"))) {
-        mt_folder_remove(aside);
-        status = MT_NO_MEMORY;
-    }
-    if (status == MT_OK && !exchange(folder, aside, old)) status = MT_CANNOT_WRITE;
-    mt_free(old);
-    mt_free(aside);
-    return status;
-}
-
 mt_status mt_folder_place(mt_folder *folder, const char *mark) {
-    struct stat about;
+    bool stood;
     mt_status status = mt_folder_check(folder->path, mark);
     if (status != MT_OK) return status;
-    if (lstat(folder->path, &about) == 0)
-        status = replace(folder);
-    else if (rename(folder->temporary, folder->path) != 0)
-        status = MT_CANNOT_WRITE;
-    if (status != MT_OK) return status;
-    mt_free(folder->temporary);
-    folder->temporary = NULL;
+    if (!mt_place_flush_folder(folder->temporary)) return MT_CANNOT_WRITE;
+    if (!mt_place_swap(folder->temporary, folder->path, &stood)) return MT_CANNOT_WRITE;
+    if (stood) mt_tree_remove(folder->temporary);
+    mt_folder_forget(folder);
     return MT_OK;
 }
 
-void mt_folder_free(mt_folder *folder) {
-    if (folder->temporary) mt_folder_remove(folder->temporary);
+void mt_folder_forget(mt_folder *folder) {
+    mt_temporary_end(folder->temporary);
     mt_free(folder->temporary);
+    folder->temporary = NULL;
+}
+
+void mt_folder_free(mt_folder *folder) {
+    if (folder->temporary) mt_tree_remove(folder->temporary);
+    if (folder->temporary) mt_folder_forget(folder);
     mt_free(folder->path);
     *folder = (mt_folder){0};
 }

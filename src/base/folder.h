@@ -14,6 +14,9 @@ typedef struct mt_folder {
  * that kind do. MT_CANNOT_WRITE (errno says why), MT_NO_MEMORY. */
 mt_status mt_folder_check(const char *path, const char *mark);
 
+/* DIRECTORY/NAME, from mt_new; NULL when out of memory. */
+char *mt_folder_path_in(const char *directory, const char *name);
+
 /* Makes an empty one; then folders and files in it, by their paths within it. MT_CANNOT_WRITE (errno says why),
  * MT_NO_MEMORY. */
 mt_status mt_folder_begin(const char *path, mt_folder *folder);
@@ -24,8 +27,8 @@ mt_status mt_folder_add_file(mt_folder *folder, const char *name, const void *by
  * why), MT_NO_MEMORY: what stood there still does. */
 mt_status mt_folder_place(mt_folder *folder, const char *mark);
 
+/* The folder has its place, or another owner. */
+void mt_folder_forget(mt_folder *folder);
+
 /* Removes the folder with all that is in it, unless it has its place. */
 void mt_folder_free(mt_folder *folder);
-
-/* Removes a folder that has its place. */
-void mt_folder_remove(const char *path);

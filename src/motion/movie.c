@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,6 +12,7 @@
 #include <unistd.h>
 
 #include "base/file.h"
+#include "base/temporaries.h"
 
 extern char **environ;
 
@@ -21,15 +23,31 @@ typedef struct mt_movie_pipe {
 
 /* ---- the command --------------------------------------------------------------------------------------- */
 
+/* No signal is blocked or ignored in the command, whatever is in this program. */
+static int clear_signals(posix_spawnattr_t *attributes) {
+    sigset_t none, all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    int error = posix_spawnattr_setsigmask(attributes, &none);
+    if (!error) error = posix_spawnattr_setsigdefault(attributes, &all);
+    short flags = POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF;
+    return error ? error : posix_spawnattr_setflags(attributes, flags);
+}
+
 /* The command's input, with everything it says thrown away. 0, or an error number. */
 static int spawn(int input, char *const *arguments, pid_t *command) {
+    posix_spawnattr_t attributes;
+    int cleared = posix_spawnattr_init(&attributes);
+    if (cleared) return cleared;
     posix_spawn_file_actions_t actions;
     int error = posix_spawn_file_actions_init(&actions);
-    if (error) return error;
-    error = posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+    if (error) return posix_spawnattr_destroy(&attributes), error;
+    error = clear_signals(&attributes);
+    if (!error) error = posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
     if (!error) error = posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     if (!error) error = posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    if (!error) error = posix_spawnp(command, arguments[0], &actions, NULL, arguments, environ);
+    if (!error) error = posix_spawnp(command, arguments[0], &actions, &attributes, arguments, environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     return error;
 }
@@ -149,6 +167,7 @@ mt_status mt_movie_save(const mt_motion *motion, mt_movie_kind kind, const char 
         if (status == MT_OK && rename(name, path) != 0) status = MT_CANNOT_WRITE;
         int why = errno;
         if (status != MT_OK) unlink(name);
+        mt_temporary_end(name);
         errno = why;
     }
     mt_free(file);

@@ -81,7 +81,8 @@ static mt_status write_next(mt_numbered *files, const mt_buffer *file) {
 
 /* Places the files, or removes them where not all could be written. */
 static mt_status end(mt_numbered *files, mt_status status, mt_motion_outcome *outcome) {
-    if (status == MT_OK) status = mt_file_set_place(&files->set);
+    int failed;
+    if (status == MT_OK) status = mt_file_set_place(&files->set, &failed);
     int why = errno;
     *outcome = (mt_motion_outcome){.files = files->set.count, .length = files->set.folder.length};
     mt_file_set_free(&files->set);

@@ -6,7 +6,7 @@
  *     U+0041      A        A        A
  *     U+0042      B        B        B
  */
-#include "base/file.h"
+#include "base/file_set.h"
 #include "base/memory.h"
 #include "picture/canvas.h"
 #include "picture/label.h"
@@ -221,15 +221,17 @@ static mt_status draw_file(const sheet_page *page, mt_format format, const char 
     return status;
 }
 
-/* All or none: those written go again when one cannot be. */
+/* All or none. */
 static mt_status write_files(const page_file *files, int count) {
-    for (int i = 0; i < count; i++) {
-        mt_status status = mt_file_write(files[i].path, files[i].bytes.bytes, files[i].bytes.length);
-        if (status == MT_OK) continue;
-        while (i-- > 0) unlink(files[i].path);
-        return status;
-    }
-    return MT_OK;
+    mt_file_set set;
+    int failed;
+    mt_status status = mt_file_set_begin(files[0].path, &set);
+    if (status != MT_OK) return status;
+    for (int i = 0; status == MT_OK && i < count; i++)
+        status = mt_file_set_add(&set, files[i].path, files[i].bytes.bytes, files[i].bytes.length);
+    if (status == MT_OK) status = mt_file_set_place(&set, &failed);
+    mt_file_set_free(&set);
+    return status;
 }
 
 /* None is written before all are drawn. */

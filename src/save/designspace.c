@@ -179,9 +179,9 @@ static void write_document(const mt_designspace *designspace, const mt_axis_data
     mt_xml_close(xml);
 }
 
-/* ---- placing --------------------------------------------------------------------------------------------- */
+/* ---- the end --------------------------------------------------------------------------------------------- */
 
-mt_status mt_designspace_place(mt_designspace *designspace) {
+mt_status mt_designspace_end(mt_designspace *designspace, mt_file_set *set) {
     const char *text;
     size_t length;
     mt_arena arena = {0};
@@ -191,20 +191,13 @@ mt_status mt_designspace_place(mt_designspace *designspace) {
     mt_status status = mt_axis_name_places(ends, 2, &arena, &names);
     if (status == MT_OK) write_document(designspace, &names, &xml);
     if (status == MT_OK) status = mt_xml_end(&xml, &text, &length);
-    if (status == MT_OK) status = mt_folder_place(&designspace->folder, FIRST_MASTER "/" MT_UFO_MARK);
-    if (status == MT_OK) {
-        status = mt_file_write(designspace->path, text, length);
-        if (status != MT_OK) mt_folder_remove(designspace->folder.path);
-    }
+    if (status == MT_OK)
+        status = mt_file_set_add_folder(set, &designspace->folder, FIRST_MASTER "/" MT_UFO_MARK);
+    if (status == MT_OK) status = mt_file_set_add(set, designspace->path, text, length);
     mt_xml_free(&xml);
     mt_arena_release(&arena);
     if (status == MT_OK) designspace->length += length;
     return status;
-}
-
-void mt_designspace_remove(const mt_designspace *designspace) {
-    unlink(designspace->path);
-    mt_folder_remove(designspace->folder.path);
 }
 
 void mt_designspace_free(mt_designspace *designspace) {

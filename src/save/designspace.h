@@ -1,7 +1,7 @@
 /* A variable font as its masters: a designspace document, and beside it a folder with a UFO for each. */
 #pragma once
 
-#include "base/folder.h"
+#include "base/file_set.h"
 #include "sfnt/axis.h"
 #include "sfnt/axis_map.h"
 #include "write/font_data.h"
@@ -29,8 +29,6 @@ mt_status mt_designspace_begin(const char *path, const mt_axis *axis, const mt_a
                                mt_designspace *designspace);
 /* Adds the master at a place of the axis (axis_data.h); the first is at its start, and the last at its end. As mt_ufo_write. */
 mt_status mt_designspace_add(mt_designspace *designspace, const mt_font_data *master, int place);
-/* Moves both to their places, or neither. MT_CANNOT_WRITE (errno says why), MT_NO_MEMORY. */
-mt_status mt_designspace_place(mt_designspace *designspace);
-/* Removes both again. */
-void mt_designspace_remove(const mt_designspace *designspace);
+/* Adds both to what is to be placed. MT_CANNOT_WRITE (errno says why), MT_NO_MEMORY. */
+mt_status mt_designspace_end(mt_designspace *designspace, mt_file_set *set);
 void mt_designspace_free(mt_designspace *designspace);

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/file.h"
+#include "base/file_set.h"
 #include "base/memory.h"
 #include "blend/instances.h"
 #include "blend/variable.h"
@@ -47,6 +48,7 @@ typedef struct mt_product {
     mt_designspace designspace;
     const mt_axis *axis;    /* of a designspace */
     const mt_axis_map *map; /* the same */
+    int first;              /* of what is to be placed, its first */
 } mt_product;
 
 static bool has_overlaps(const mt_font_data *data) {
@@ -92,25 +94,18 @@ static mt_status add_master(const mt_font_data *data, int place, mt_product *pro
     return status == MT_OK ? mt_designspace_add(&product->designspace, data, place) : status;
 }
 
-static mt_status place_designspace(mt_product *product) {
-    mt_status status = mt_designspace_place(&product->designspace);
+static mt_status end_designspace(mt_product *product, mt_file_set *set) {
+    mt_status status = mt_designspace_end(&product->designspace, set);
     product->length = product->designspace.length;
     return status;
 }
 
-static mt_status place_product(mt_product *product) {
-    if (product->format == MT_FONT_DESIGNSPACE) return place_designspace(product);
-    if (product->format == MT_FONT_UFO) return mt_folder_place(&product->folder, MT_UFO_MARK);
-    return mt_file_write(product->path, product->bytes, product->length);
-}
-
-static void unplace_product(const mt_product *product) {
-    if (product->format == MT_FONT_DESIGNSPACE)
-        mt_designspace_remove(&product->designspace);
-    else if (product->format == MT_FONT_UFO)
-        mt_folder_remove(product->path);
-    else
-        unlink(product->path);
+/* Adds what was made to what is to be placed. */
+static mt_status end_product(mt_product *product, mt_file_set *set) {
+    product->first = set->count;
+    if (product->format == MT_FONT_DESIGNSPACE) return end_designspace(product, set);
+    if (product->format == MT_FONT_UFO) return mt_file_set_add_folder(set, &product->folder, MT_UFO_MARK);
+    return mt_file_set_add(set, product->path, product->bytes, product->length);
 }
 
 static void free_product(mt_product *product) {
@@ -153,16 +148,27 @@ static mt_status keep(const mt_font_data *data, int index, void *user) {
     return note(products, index, make_product(data, &products->list[index]));
 }
 
+/* All that is to be placed, all at once. */
+static mt_status place_set(mt_products *products, mt_file_set *set) {
+    int count = products->saving->count, failed = 0, product = count - 1;
+    for (int i = 0; i < count; i++) {
+        mt_status status = end_product(&products->list[i], set);
+        if (status != MT_OK) return note(products, i, status);
+    }
+    mt_status status = mt_file_set_place(set, &failed);
+    while (status != MT_OK && product > 0 && products->list[product].first > failed) product--;
+    return status == MT_OK ? status : note(products, product, status);
+}
+
 static mt_status place(mt_products *products) {
     const mt_saving *saving = products->saving;
-    for (int i = 0; i < saving->count; i++) {
-        mt_status status = place_product(&products->list[i]);
-        if (status == MT_OK) continue;
-        int why = errno;
-        for (int k = 0; k < i; k++) unplace_product(&products->list[k]);
-        errno = why;
-        return note(products, i, status);
-    }
+    mt_file_set set;
+    if (saving->count == 0) return MT_OK;
+    mt_status status = mt_file_set_begin(saving->paths[0], &set);
+    if (status != MT_OK) return note(products, 0, status);
+    status = place_set(products, &set);
+    mt_file_set_free(&set);
+    if (status != MT_OK) return status;
     for (int i = 0; saving->lengths && i < saving->count; i++) saving->lengths[i] = products->list[i].length;
     return MT_OK;
 }

@@ -1,4 +1,5 @@
 #include "base/folder.h"
+#include "base/tree.h"
 #include "support/allocation.h"
 #include "support/check.h"
 #include "support/fixture.h"
@@ -67,7 +68,7 @@ static void appears_whole(void **state) {
     mt_folder_free(&folder);
     assert_holds(path_of("whole/below/text"), "text");
     assert_int_equal(mt_sample_count(directory), 1);
-    mt_folder_remove(path);
+    mt_tree_remove(path);
 }
 
 static void goes_when_it_is_given_up(void **state) {
@@ -87,7 +88,7 @@ static void replaces_its_own_kind(void **state) {
     assert_holds(path_of("again/below/text"), "second");
     assert_false(stands(path_of("again/below/more")));
     assert_int_equal(mt_sample_count(directory), 1);
-    mt_folder_remove(path);
+    mt_tree_remove(path);
 }
 
 static void replaces_nothing_else(void **state) {
@@ -99,7 +100,7 @@ static void replaces_nothing_else(void **state) {
     assert_int_equal(make(path, "text"), MT_CANNOT_WRITE);
     assert_int_equal(errno, EEXIST);
     assert_holds(path_of("other/work"), "work");
-    mt_folder_remove(path);
+    mt_tree_remove(path);
     mt_sample_save(path, "file", 4);
     assert_int_equal(make(path, "text"), MT_CANNOT_WRITE);
     assert_holds(path, "file");
@@ -117,9 +118,9 @@ static void leaves_what_a_link_leads_to(void **state) {
     assert_holds(path_of("target/" MARK), "target");
     assert_int_equal(mt_sample_count(directory), 2);
     assert_int_equal(symlink("../target", path_of("link/below/up")), 0);
-    mt_folder_remove(path);
+    mt_tree_remove(path);
     assert_holds(path_of("target/" MARK), "target");
-    mt_folder_remove(target);
+    mt_tree_remove(target);
 }
 
 static void leaves_nothing_when_it_cannot_write(void **state) {
@@ -154,7 +155,7 @@ static void survives_want_of_memory(void **state) {
     }
     mt_assert_ok(status);
     assert_holds(path_of("memory/below/text"), "after");
-    mt_folder_remove(path);
+    mt_tree_remove(path);
 }
 
 int main(void) {

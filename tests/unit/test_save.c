@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "base/folder.h"
+#include "base/tree.h"
 
 typedef struct font_pair {
     mt_font *a, *b;
@@ -75,7 +76,7 @@ static void format_is_by_extension(void **state) {
     assert_starts(path_of("x.ufo/metainfo.plist"), "<?xm");
     assert_int_equal(unlink(path_of("x.ttf")), 0);
     assert_int_equal(unlink(path_of("x.WOFF2")), 0);
-    mt_folder_remove(path_of("x.ufo"));
+    mt_tree_remove(path_of("x.ufo"));
     static const char *const others[] = {"x.otf", "x", "x.ttf.gz", "ufo", ""};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         assert_int_equal(mt_blend_save(pair.blend, 0.5, path_of(others[i])), MT_UNKNOWN_FORMAT);
@@ -91,7 +92,7 @@ static void all_are_saved_or_none(void **state) {
     mt_assert_ok(mt_blend_save_fonts(pair.blend, t, 3, paths));
     assert_int_equal(mt_sample_count(directory), 3);
     assert_int_equal(unlink(paths[0]), 0);
-    mt_folder_remove(paths[1]);
+    mt_tree_remove(paths[1]);
     assert_int_equal(unlink(paths[2]), 0);
     paths[2] = path_of("missing/3.woff2"); /* is found out when the others have their places */
     assert_int_equal(mt_blend_save_fonts(pair.blend, t, 3, paths), MT_CANNOT_WRITE);
@@ -147,7 +148,7 @@ static void survives_want_of_memory(void **state) {
             if (status != MT_OK) assert_int_equal(mt_sample_count(directory), 0);
         }
         mt_assert_ok(status);
-        mt_folder_remove(path);
+        mt_tree_remove(path);
     }
 }
 

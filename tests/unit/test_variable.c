@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "base/folder.h"
+#include "base/tree.h"
 #include "save/save.h"
 #include "sfnt/axis.h"
 #include "support/allocation.h"
@@ -126,7 +127,7 @@ static void format_is_by_extension(void **state) {
     assert_int_equal(stat(path_of("x-masters/Morph-100.ufo/metainfo.plist"), &about), 0);
     assert_int_equal(unlink(path_of("x.ttf")), 0);
     assert_int_equal(unlink(path_of("x.designspace")), 0);
-    mt_folder_remove(path_of("x-masters"));
+    mt_tree_remove(path_of("x-masters"));
     assert_int_equal(mt_variable_save(row.variable, path_of("x.ufo")), MT_UNKNOWN_FORMAT);
     mt_blend *blend;
     mt_params params = mt_params_default();
@@ -174,7 +175,7 @@ static void survives_want_of_memory(void **state) {
         }
         mt_assert_ok(status);
         unlink(path);
-        mt_folder_remove(path_of("x-masters"));
+        mt_tree_remove(path_of("x-masters"));
     }
 }
 
