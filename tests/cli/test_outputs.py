@@ -12,6 +12,15 @@ import cli
 PAIR = (cli.SANS_BOLD, cli.SERIF)
 
 
+SIGNALS = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
+
+
+def heed_signals():
+    """What runs the tests may have them ignored, as nohup has SIGHUP."""
+    for number in SIGNALS:
+        signal.signal(number, signal.SIG_DFL)
+
+
 class Outputs(cli.Test):
     """A file that may not grow over some bytes stands for a disk that is full: writes fail in the same places."""
 
@@ -80,8 +89,8 @@ class Outputs(cli.Test):
     def begin_ufo(self):
         """A run that has begun a UFO beside its place."""
         whole = 'blend', *map(str, PAIR), '--method', 'paper', '--no-layout', '--at', '0', '-q', '-o', 'x.ufo'
-        run = subprocess.Popen([cli.MORPHOTYPE, *whole], cwd=self.directory,
-                               stdin=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        run = subprocess.Popen([cli.MORPHOTYPE, *whole], cwd=self.directory, stdin=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL, preexec_fn=heed_signals)
         self.addCleanup(run.wait)
         self.addCleanup(run.kill)
         while run.poll() is None and not list(self.directory.glob('.morphotype-*')):
@@ -91,7 +100,7 @@ class Outputs(cli.Test):
     def test_signals_leave_nothing(self):
         self.made('blend', *PAIR, '--text', 'a', '-q', '-o', 'x.ufo')
         before = self.tree()
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        for number in SIGNALS:
             run = self.begin_ufo()
             run.send_signal(number)
             self.assertEqual(run.wait(), -number)
