@@ -106,7 +106,7 @@ int mt_file_beside(const char *path, int (*make)(const char *name, mode_t mode),
     return -1;
 }
 
-static int create(const char *name, mode_t mode) {
+int mt_file_create(const char *name, mode_t mode) {
     return open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
 }
 
@@ -131,7 +131,7 @@ bool mt_file_fill(int file, const void *bytes, size_t length, bool flush) {
 
 /* Writes to a name beside the place, and renames. */
 static bool write_beside(const char *place, const void *bytes, size_t length, char *name) {
-    int file = mt_file_beside(place, create, 0666, name);
+    int file = mt_file_beside(place, mt_file_create, 0666, name);
     if (file < 0) return false;
     mt_place_keep_mode(place, file);
     bool done = mt_file_fill(file, bytes, length, true) && rename(name, place) == 0;

@@ -22,5 +22,8 @@ mt_status mt_file_write(const char *path, const void *bytes, size_t length);
 enum { MT_BESIDE_ROOM = 64 };
 int mt_file_beside(const char *path, int (*make)(const char *name, mode_t mode), mode_t mode, char *name);
 
+/* Opens a new file for writing, where none is; below 0, with errno, otherwise. */
+int mt_file_create(const char *name, mode_t mode);
+
 /* Writes all bytes to an open file, has them on the disk if `flush`, and closes it; false, with errno, where that went wrong. */
 bool mt_file_fill(int file, const void *bytes, size_t length, bool flush);

@@ -3,9 +3,7 @@
 #include "base/file_set.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
-#include <unistd.h>
 
 #include "base/file.h"
 #include "base/memory.h"
@@ -13,10 +11,10 @@
 #include "base/temporaries.h"
 
 typedef struct mt_set_entry {
-    char *path;   /* its place */
-    mt_folder of; /* a folder; all zero for a file */
-    char *fresh;  /* where it is until then */
-    bool stood;   /* something was at the place */
+    char *path;     /* its place */
+    char *fresh;    /* where it is until then */
+    bool is_folder; /* of its own; files are in the set's */
+    bool stood;     /* something was at the place */
 } mt_set_entry;
 
 enum { NAME_ROOM = 32 };
@@ -41,14 +39,17 @@ static mt_set_entry *new_entry(mt_file_set *set) {
     return &grown[set->count];
 }
 
-static void free_entry(mt_set_entry *entry) {
-    mt_folder_free(&entry->of);
+static void free_entry(const mt_set_entry *entry) {
+    if (entry->is_folder) {
+        mt_folder_free(&(mt_folder){.path = entry->path, .temporary = entry->fresh});
+        return;
+    }
     mt_free(entry->path);
     mt_free(entry->fresh);
 }
 
 static mt_status write_entry(mt_set_entry *entry, const void *bytes, size_t length) {
-    int file = open(entry->fresh, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    int file = mt_file_create(entry->fresh, 0666);
     if (file < 0) return MT_CANNOT_WRITE;
     mt_place_keep_mode(entry->path, file);
     return mt_file_fill(file, bytes, length, true) ? MT_OK : MT_CANNOT_WRITE;
@@ -80,13 +81,7 @@ mt_status mt_file_set_add_folder(mt_file_set *set, mt_folder *folder, const char
     mt_set_entry *entry = status == MT_OK ? new_entry(set) : NULL;
     if (status != MT_OK) return status;
     if (!entry) return MT_NO_MEMORY;
-    entry->path = mt_copy_text(folder->path);
-    entry->fresh = mt_copy_text(folder->temporary);
-    if (!entry->path || !entry->fresh) {
-        free_entry(entry);
-        return MT_NO_MEMORY;
-    }
-    entry->of = *folder;
+    *entry = (mt_set_entry){.path = folder->path, .fresh = folder->temporary, .is_folder = true};
     *folder = (mt_folder){.length = folder->length};
     set->count++;
     return MT_OK;

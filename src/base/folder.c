@@ -1,7 +1,6 @@
 #include "base/folder.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -57,7 +56,7 @@ mt_status mt_folder_add_folder(mt_folder *folder, const char *name) {
 mt_status mt_folder_add_file(mt_folder *folder, const char *name, const void *bytes, size_t length) {
     char *path = mt_folder_path_in(folder->temporary, name);
     if (!path) return MT_NO_MEMORY;
-    int file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    int file = mt_file_create(path, 0666);
     mt_free(path);
     if (file < 0 || !mt_file_fill(file, bytes, length, false)) return MT_CANNOT_WRITE;
     folder->length += length;
@@ -66,6 +65,13 @@ mt_status mt_folder_add_file(mt_folder *folder, const char *name, const void *by
 
 /* ---- placing ---------------------------------------------------------------------------------------------- */
 
+/* The folder has its place. */
+static void forget(mt_folder *folder) {
+    mt_temporary_end(folder->temporary);
+    mt_free(folder->temporary);
+    folder->temporary = NULL;
+}
+
 mt_status mt_folder_place(mt_folder *folder, const char *mark) {
     bool stood;
     mt_status status = mt_folder_check(folder->path, mark);
@@ -73,19 +79,13 @@ mt_status mt_folder_place(mt_folder *folder, const char *mark) {
     if (!mt_place_flush_folder(folder->temporary)) return MT_CANNOT_WRITE;
     if (!mt_place_swap(folder->temporary, folder->path, &stood)) return MT_CANNOT_WRITE;
     if (stood) mt_tree_remove(folder->temporary);
-    mt_folder_forget(folder);
+    forget(folder);
     return MT_OK;
-}
-
-void mt_folder_forget(mt_folder *folder) {
-    mt_temporary_end(folder->temporary);
-    mt_free(folder->temporary);
-    folder->temporary = NULL;
 }
 
 void mt_folder_free(mt_folder *folder) {
     if (folder->temporary) mt_tree_remove(folder->temporary);
-    if (folder->temporary) mt_folder_forget(folder);
+    if (folder->temporary) forget(folder);
     mt_free(folder->path);
     *folder = (mt_folder){0};
 }

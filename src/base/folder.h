@@ -27,8 +27,5 @@ mt_status mt_folder_add_file(mt_folder *folder, const char *name, const void *by
  * why), MT_NO_MEMORY: what stood there still does. */
 mt_status mt_folder_place(mt_folder *folder, const char *mark);
 
-/* The folder has its place, or another owner. */
-void mt_folder_forget(mt_folder *folder);
-
 /* Removes the folder with all that is in it, unless it has its place. */
 void mt_folder_free(mt_folder *folder);

@@ -143,10 +143,6 @@ static mt_status make(const mt_motion *motion, mt_movie_kind kind, const char *f
     return play(motion, arguments, fault);
 }
 
-static int create(const char *name, mode_t mode) {
-    return open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-}
-
 mt_status mt_movie_save(const mt_motion *motion, mt_movie_kind kind, const char *path,
                         mt_movie_fault *fault) {
     bool odd = motion->page.width % 2 || motion->page.height % 2;
@@ -159,7 +155,7 @@ mt_status mt_movie_save(const mt_motion *motion, mt_movie_kind kind, const char 
     if (!file) return MT_NO_MEMORY;
     memcpy(file, "file:", FILE_PREFIX);
     char *name = file + FILE_PREFIX;
-    int made = mt_file_beside(path, create, 0666, name);
+    int made = mt_file_beside(path, mt_file_create, 0666, name);
     mt_status status = MT_CANNOT_WRITE;
     if (made >= 0) {
         close(made);

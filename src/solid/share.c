@@ -226,14 +226,9 @@ static mt_status share_half(mt_arena *arena, mt_sharing *s) {
     return status == MT_OK && s->own->cells.n_cells > before ? mt_half_measure(arena, s->own) : status;
 }
 
-static int by_ends(const void *p, const void *q) {
-    const mt_link *x = p, *y = q;
-    return x->a != y->a ? (x->a > y->a) - (x->a < y->a) : (x->b > y->b) - (x->b < y->b);
-}
-
 mt_status mt_links_share(mt_arena *arena, mt_half *first, mt_half *second, mt_links *links) {
     mt_status status = share_half(arena, &(mt_sharing){first, second, links, false});
     if (status == MT_OK) status = share_half(arena, &(mt_sharing){second, first, links, true});
-    if (status == MT_OK) qsort(links->links, (size_t)links->count, sizeof *links->links, by_ends);
+    if (status == MT_OK) qsort(links->links, (size_t)links->count, sizeof *links->links, mt_link_compare);
     return status;
 }

@@ -34,13 +34,18 @@ struct mt_onlooker {
     double disc; /* the largest of both, grid units */
 };
 
+/* The rings of a shape, within what may be spent on looking at them. */
+static mt_status rings_to_look_at(const mt_shape *shape, mt_arena *arena, mt_rings *rings) {
+    mt_status status = mt_shape_rings(shape, arena, rings);
+    if (status != MT_OK) return status;
+    return mt_arena_spend(arena, DISC_STEPS * (int64_t)mt_rings_corners(rings)) ? MT_OK : MT_TOO_LARGE;
+}
+
 /* ---- the ends ----------------------------------------------------------------------------------------------------- */
 
 static mt_status look_at_end(const mt_shape *shape, mt_arena *arena, mt_onlooker *o, int end) {
     mt_rings rings;
-    mt_status status = mt_shape_rings(shape, arena, &rings);
-    if (status == MT_OK && !mt_arena_spend(arena, DISC_STEPS * (int64_t)mt_rings_corners(&rings)))
-        status = MT_TOO_LARGE;
+    mt_status status = rings_to_look_at(shape, arena, &rings);
     if (status != MT_OK) return status;
     mt_project(&rings, &o->frames[end], &o->ends[end]);
     o->disc = mt_largest_disc(&rings, o->disc);
@@ -105,9 +110,7 @@ mt_status mt_look_at_ink(const mt_onlooker *o, const mt_shape *ink, double t, mt
     mt_projection at;
     mt_projection_frame frame = o->frames[0];
     frame.middle = (1 - t) * o->frames[0].middle + t * o->frames[1].middle;
-    mt_status status = mt_shape_rings(ink, arena, &rings);
-    if (status == MT_OK && !mt_arena_spend(arena, DISC_STEPS * (int64_t)mt_rings_corners(&rings)))
-        status = MT_TOO_LARGE;
+    mt_status status = rings_to_look_at(ink, arena, &rings);
     if (status != MT_OK) return status;
     mt_project(&rings, &frame, &at);
     seen->strays = fmax(seen->strays, strays(o, &at, t));

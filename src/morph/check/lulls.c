@@ -218,20 +218,15 @@ static void look_within(mt_finder *f, int node) {
 
 /* ---- three at once ---------------------------------------------------------------------------------------------- */
 
-static int by_edges(const void *p, const void *q) {
-    const mt_link *x = p, *y = q;
-    return x->a != y->a ? (x->a > y->a) - (x->a < y->a) : (x->b > y->b) - (x->b < y->b);
-}
-
 static bool do_cross(const mt_finder *f, int edge, int other) {
     const mt_link link = {edge, other};
-    return bsearch(&link, f->crossings, (size_t)f->crossing_count, sizeof link, by_edges) != NULL;
+    return bsearch(&link, f->crossings, (size_t)f->crossing_count, sizeof link, mt_link_compare) != NULL;
 }
 
 /* Whether there are three edges each two of which cross. */
 static bool have_triangle(mt_finder *f) {
     if (f->crossing_count < 3) return false;
-    qsort(f->crossings, (size_t)f->crossing_count, sizeof *f->crossings, by_edges);
+    qsort(f->crossings, (size_t)f->crossing_count, sizeof *f->crossings, mt_link_compare);
     for (int i = 0; i < f->crossing_count; i++)
         for (int k = i + 1; k < f->crossing_count && f->crossings[k].a == f->crossings[i].a; k++)
             if (do_cross(f, f->crossings[i].b, f->crossings[k].b)) return true;

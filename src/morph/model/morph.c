@@ -1,8 +1,9 @@
 /* The invariants of a morph's structs. O(n) for n points, segments and links. */
 #include "morph/model/morph.h"
 
-static bool is_first_before(mt_link p, mt_link q) {
-    return p.a != q.a ? p.a < q.a : p.b < q.b;
+int mt_link_compare(const void *p, const void *q) {
+    const mt_link *x = p, *y = q;
+    return x->a != y->a ? (x->a > y->a) - (x->a < y->a) : (x->b > y->b) - (x->b < y->b);
 }
 
 bool mt_links_is_valid(const mt_links *links, int count_a, int count_b) {
@@ -10,7 +11,7 @@ bool mt_links_is_valid(const mt_links *links, int count_a, int count_b) {
     for (int i = 0; valid && i < links->count; i++) {
         mt_link link = links->links[i];
         valid = link.a >= 0 && link.a < count_a && link.b >= 0 && link.b < count_b &&
-                (i == 0 || is_first_before(links->links[i - 1], link));
+                (i == 0 || mt_link_compare(&links->links[i - 1], &link) < 0);
     }
     return valid;
 }

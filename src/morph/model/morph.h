@@ -12,6 +12,9 @@ typedef struct mt_link {
     int a, b;
 } mt_link;
 
+/* By a, then b: for qsort and bsearch of mt_link. */
+int mt_link_compare(const void *p, const void *q);
+
 typedef struct mt_links {
     int count;
     mt_link *links; /* ordered by a, then b; no two alike */

@@ -56,11 +56,6 @@ static int nearest(const mt_mapping *m, int k, int piece) {
     return found;
 }
 
-static int by_a_then_b(const void *p, const void *q) {
-    const mt_link *x = p, *y = q;
-    return x->a != y->a ? (x->a > y->a) - (x->a < y->a) : (x->b > y->b) - (x->b < y->b);
-}
-
 mt_status mt_link_pieces(const mt_side *a, const mt_side *b, const mt_links *matches, bool one_scale,
                          mt_arena *arena, mt_links *links) {
     const mt_relative_place *in_a = places_of(a, one_scale, arena), *in_b = places_of(b, one_scale, arena);
@@ -84,7 +79,7 @@ mt_status mt_link_pieces(const mt_side *a, const mt_side *b, const mt_links *mat
         for (int j = b->first[l]; j < b->first[l + 1]; j++)
             if (!marked[j] && nearest(&back, l, j) >= 0)
                 made.links[made.count++] = (mt_link){nearest(&back, l, j), j};
-    qsort(made.links, (size_t)made.count, sizeof(mt_link), by_a_then_b);
+    qsort(made.links, (size_t)made.count, sizeof(mt_link), mt_link_compare);
     *links = made;
     return MT_OK;
 }
@@ -105,7 +100,7 @@ static mt_status swapped(const mt_links *links, mt_arena *arena, mt_links *made)
     *made = (mt_links){links->count, mt_arena_new(arena, (size_t)links->count, sizeof(mt_link))};
     if (!made->links) return MT_NO_MEMORY;
     for (int i = 0; i < links->count; i++) made->links[i] = (mt_link){links->links[i].b, links->links[i].a};
-    qsort(made->links, (size_t)made->count, sizeof(mt_link), by_a_then_b);
+    qsort(made->links, (size_t)made->count, sizeof(mt_link), mt_link_compare);
     return MT_OK;
 }
 
