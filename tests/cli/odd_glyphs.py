@@ -84,14 +84,10 @@ def shared(dice, points):
 KINDS = (star, nest, comb, spiral, walk, slivers, shared)
 
 
-def glyph(dice, most):
-    """A glyph of up to `most` points, of few more often than of many."""
-    contours = dice.choice(KINDS)(dice, round(math.exp(dice.uniform(math.log(3), math.log(most)))))
-    pen, left = TTGlyphPen(None), most
+def drawn(contours):
+    """A glyph of these contours, of lines between places that 'glyf' can hold."""
+    pen = TTGlyphPen(None)
     for contour in contours:
-        left -= len(contour)
-        if left < 0:
-            break
         placed = [tuple(max(-MOST, min(MOST, round(v))) for v in p) for p in contour]
         pen.moveTo(placed[0])
         for p in placed[1:]:
@@ -100,19 +96,34 @@ def glyph(dice, most):
     return pen.glyph()
 
 
-def font(path, count, seed, most):
-    """A font of `count` odd glyphs, from U+E000 on."""
-    dice = random.Random(seed)
-    names = [f'odd{i}' for i in range(count)]
+def glyph(dice, most):
+    """A glyph of up to `most` points, of few more often than of many."""
+    contours = dice.choice(KINDS)(dice, round(math.exp(dice.uniform(math.log(3), math.log(most)))))
+    kept, left = [], most
+    for contour in contours:
+        left -= len(contour)
+        if left < 0:
+            break
+        kept.append(contour)
+    return drawn(kept)
+
+
+def built(glyphs, first, **options):
+    """A font of these glyphs by their names, from the code point `first` on, not saved yet; options are of setupGlyf."""
     builder = FontBuilder(EM, isTTF=True)
-    builder.setupGlyphOrder(['.notdef'] + names)
-    builder.setupCharacterMap({0xE000 + i: name for i, name in enumerate(names)})
-    glyphs = {'.notdef': TTGlyphPen(None).glyph()} | {name: glyph(dice, most) for name in names}
-    builder.setupGlyf(glyphs)
-    builder.setupHorizontalMetrics({name: (EM, 0) for name in glyphs})
+    builder.setupGlyphOrder(['.notdef', *glyphs])
+    builder.setupCharacterMap({first + i: name for i, name in enumerate(glyphs)})
+    builder.setupGlyf({'.notdef': TTGlyphPen(None).glyph(), **glyphs}, **options)
+    builder.setupHorizontalMetrics({name: (EM, 0) for name in ['.notdef', *glyphs]})
     builder.setupHorizontalHeader(ascent=800, descent=-200)
     builder.setupNameTable({'familyName': 'Odd', 'styleName': 'Regular'})
     builder.setupOS2()
     builder.setupPost()
-    builder.save(path)
+    return builder.font
+
+
+def font(path, count, seed, most):
+    """A font of `count` odd glyphs, from U+E000 on."""
+    dice = random.Random(seed)
+    built({f'odd{i}': glyph(dice, most) for i in range(count)}, 0xE000).save(path)
     return path

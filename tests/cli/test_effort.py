@@ -7,7 +7,6 @@ import subprocess
 
 import cli
 import odd_glyphs
-from fontTools.fontBuilder import FontBuilder
 from fontTools.pens.ttGlyphPen import TTGlyphPen
 
 GLYPHS = int(os.environ.get('MT_ODD_GLYPHS', 14))
@@ -19,33 +18,13 @@ class Effort(cli.Test):
 
     def font(self, name, glyphs):
         """A font of these glyphs, from A on."""
-        builder = FontBuilder(1000, isTTF=True)
-        order = ['.notdef', *glyphs]
-        builder.setupGlyphOrder(order)
-        builder.setupCharacterMap({ord('A') + i: glyph for i, glyph in enumerate(glyphs)})
-        builder.setupGlyf({'.notdef': TTGlyphPen(None).glyph(), **glyphs}, calcGlyphBounds=False)
-        builder.setupHorizontalMetrics({glyph: (1000, 0) for glyph in order})
-        builder.setupHorizontalHeader(ascent=800, descent=-200)
-        builder.setupNameTable({'familyName': 'Bounded', 'styleName': 'Regular'})
-        builder.setupOS2()
-        builder.setupPost()
-        builder.font.recalcBBoxes = False # which would follow every reference
-        builder.font['maxp'].maxComponentDepth = len(glyphs)
+        font = odd_glyphs.built(glyphs, ord('A'), calcGlyphBounds=False)
+        font.recalcBBoxes = False # which would follow every reference
+        font['maxp'].maxComponentDepth = len(glyphs)
         for glyph in glyphs.values():
             glyph.xMin, glyph.yMin, glyph.xMax, glyph.yMax = 0, 0, 1000, 1000
-        builder.save(self.path(name))
+        font.save(self.path(name))
         return self.path(name)
-
-    @staticmethod
-    def drawn(contours):
-        pen = TTGlyphPen(None)
-        for contour in contours:
-            placed = [(round(x), round(y)) for x, y in contour]
-            pen.moveTo(placed[0])
-            for p in placed[1:]:
-                pen.lineTo(p)
-            pen.closePath()
-        return pen.glyph()
 
     def bounded(self, *arguments, seconds=60):
         """Runs it, expects success, and gives stderr; a GiB of addresses suffices."""
@@ -61,7 +40,7 @@ class Effort(cli.Test):
         return self.bounded('blend', font, cli.SERIF, '--text', 'A', '-j', '1', '-o', 'x.ttf', *options)
 
     def test_star(self):
-        font = self.font('star.ttf', {'star': self.drawn(odd_glyphs.star(random.Random(4), 1001))})
+        font = self.font('star.ttf', {'star': odd_glyphs.drawn(odd_glyphs.star(random.Random(4), 1001))})
         said = self.blend(font)
         self.assertIn('effort', said)
         again = self.path('x.ttf').read_bytes()
@@ -70,7 +49,7 @@ class Effort(cli.Test):
 
     def test_nest(self):
         squares = [[(-r, -r), (r, -r), (r, r), (-r, r)][::1 if r % 2 else -1] for r in range(1, 1001)]
-        font = self.font('nest.ttf', {'nest': self.drawn(squares)})
+        font = self.font('nest.ttf', {'nest': odd_glyphs.drawn(squares)})
         self.assertIn('than a glyph may', self.blend(font))
 
     def test_effort_is_settable(self):
@@ -83,7 +62,7 @@ class Effort(cli.Test):
 
     def references(self, name, depth, names_twice):
         """Glyphs of which each names the next one, the last a triangle."""
-        glyphs = {'end': self.drawn([[(0, 0), (500, 0), (250, 700)]])}
+        glyphs = {'end': odd_glyphs.drawn([[(0, 0), (500, 0), (250, 700)]])}
         for i in range(depth):
             pen = TTGlyphPen({glyph: None for glyph in glyphs})
             for k in range(1 + names_twice):
