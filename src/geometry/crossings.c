@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "geometry/limits.h"
+
 /* What a corner, a crossing and a pair of edges at one height cost a union, in steps (base/memory.h). */
 enum { CORNER_STEPS = 64, CROSSING_STEPS = 128, COMPARED_STEPS = 32 };
 
@@ -52,7 +54,43 @@ static mt_status list_edges(const mt_rings *rings, mt_arena *arena, mt_edge **ed
     return MT_OK;
 }
 
-mt_status mt_count_crossings(const mt_rings *rings, int64_t most, mt_arena *arena, mt_crossings *crossings) {
+/* To the nearest whole number, halves upwards; `below` > 0. */
+static int32_t rounded_quotient(mt_wide above, mt_wide below) {
+    mt_wide twice = 2 * above + below, quotient = twice / (2 * below);
+    return (int32_t)(quotient - (twice % (2 * below) < 0));
+}
+
+/* Where two edges cross, rounded to the grid. */
+static mt_point crossing_of(const mt_edge *e, const mt_edge *f) {
+    mt_wide part = mt_cross(e->low, f->low, f->low, f->high),
+            whole = mt_cross(e->low, e->high, f->low, f->high);
+    if (whole < 0) {
+        part = -part;
+        whole = -whole;
+    }
+    mt_wide width = (mt_wide)e->high.x - e->low.x, height = (mt_wide)e->high.y - e->low.y;
+    return (mt_point){e->low.x + rounded_quotient(width * part, whole),
+                      e->low.y + rounded_quotient(height * part, whole)};
+}
+
+typedef struct mt_places {
+    mt_arena *arena;
+    mt_point *points;
+    int count, room;
+} mt_places;
+
+static bool add_place(mt_places *places, mt_point p) {
+    mt_point *points =
+        mt_arena_grow_list(places->arena, places->points, places->count, &places->room, sizeof *points);
+    if (!points) return false;
+    places->points = points;
+    points[places->count++] = p;
+    return true;
+}
+
+/* Counts crossings, and lists their places unless `places` is NULL; what is compared for a list is paid. */
+static mt_status sweep(const mt_rings *rings, int64_t most, mt_arena *arena, mt_places *places,
+                       mt_crossings *crossings) {
     mt_edge *edges;
     size_t count, active_count = 0;
     mt_crossings met = {0};
@@ -65,14 +103,31 @@ mt_status mt_count_crossings(const mt_rings *rings, int64_t most, mt_arena *aren
         for (size_t k = 0; k < active_count; k++) {
             if (active[k]->high.y < edges[i].low.y) continue;
             active[kept++] = active[k];
-            met.count += cross(active[k], &edges[i]);
+            if (!cross(active[k], &edges[i])) continue;
+            met.count++;
+            if (places && !add_place(places, crossing_of(active[k], &edges[i]))) return MT_NO_MEMORY;
         }
         met.compared += (int64_t)active_count;
+        if (places && !mt_arena_spend(arena, (int64_t)active_count)) return MT_TOO_LARGE;
         active[kept] = &edges[i];
         active_count = kept + 1;
         if (met.count > most || met.compared > MT_COMPARED_MAX) return MT_TOO_LARGE;
     }
     *crossings = met;
+    return MT_OK;
+}
+
+mt_status mt_count_crossings(const mt_rings *rings, int64_t most, mt_arena *arena, mt_crossings *crossings) {
+    return sweep(rings, most, arena, NULL, crossings);
+}
+
+mt_status mt_list_crossings(const mt_rings *rings, mt_arena *arena, mt_point **places, int *count) {
+    mt_places found = {.arena = arena};
+    mt_crossings met;
+    mt_status status = sweep(rings, MT_POINTS_MAX, arena, &found, &met);
+    if (status != MT_OK) return status;
+    *places = found.points;
+    *count = found.count;
     return MT_OK;
 }
 

@@ -1,6 +1,6 @@
 /* From two shapes to a morph, in the order of the paper.
  *
- *     B ── turned by −q (2.3) ──▶ matched with A's components (2.2.1) ──▶ method joint: joined (trials.c), the rest decomposed and linked
+ *     B ── turned by −q (2.3) ──▶ both plain ──▶ matched with A's components (2.2.1) ──▶ method joint: joined (trials.c), the rest decomposed and linked
  *                                                                    └──▶ method paper: decomposed (2.1), linked (2.2.2)
  *
  * The angle q, when it is to be found, takes a matching of its own before. Invariant: the morph's shapes and arrays live in the arena or in
@@ -10,6 +10,7 @@
 #include <assert.h>
 
 #include "geometry/limits.h"
+#include "geometry/plain.h"
 #include "geometry/union.h"
 #include "morph/paper/components.h"
 #include "morph/paper/pieces.h"
@@ -53,20 +54,39 @@ static mt_status turn_hints(const mt_hints *hints, const mt_morph *morph, mt_box
     return MT_OK;
 }
 
+/* ---- sides ------------------------------------------------------------------------------------------------ */
+
+static mt_status make_plain(mt_side *side, mt_arena *arena) {
+    mt_status status = mt_shape_make_plain(&side->whole, arena, &side->whole);
+    if (status != MT_OK) return status;
+    side->shape = side->whole;
+    side->box = mt_shape_box(&side->whole);
+    return side->whole.count > MT_COMPONENTS_MAX ? MT_TOO_LARGE : MT_OK;
+}
+
+static mt_status make_both_plain(mt_morph *morph, mt_arena *arena) {
+    mt_status status = make_plain(&morph->a, arena);
+    if (status == MT_OK) status = make_plain(&morph->b, arena);
+    bool one_blank = (morph->a.whole.count == 0) != (morph->b.whole.count == 0);
+    return status == MT_OK && one_blank ? MT_NO_COUNTERPART : status;
+}
+
 /* ---- all of it ----------------------------------------------------------------------------------------- */
 
 mt_status mt_morph_prepare(const mt_shape *a, const mt_shape *b, const mt_hints *hints,
                            const mt_params *params, mt_arena *arena, mt_morph *morph) {
     mt_morph made = {.a = {.whole = *a, .shape = *a, .box = mt_shape_box(a)},
-                     .b = {.whole = *b, .shape = *b, .box = mt_shape_box(b)},
-                     .proved = a->count == 0};
+                     .b = {.whole = *b, .shape = *b, .box = mt_shape_box(b)}};
     if ((a->count == 0) != (b->count == 0)) return MT_NO_COUNTERPART;
     if (a->count > MT_COMPONENTS_MAX || b->count > MT_COMPONENTS_MAX) return MT_TOO_LARGE;
     mt_status status = a->count ? turn_b(&made, params, arena) : MT_OK;
-    if (status == MT_OK && a->count) status = mt_match_sides(&made, params, arena);
+    if (status == MT_OK) status = make_both_plain(&made, arena);
+    bool drawn = made.a.whole.count > 0;
+    made.proved = !drawn;
+    if (status == MT_OK && drawn) status = mt_match_sides(&made, params, arena);
     mt_hints turned = {0};
     if (status == MT_OK && hints) status = turn_hints(hints, &made, mt_shape_box(b), arena, &turned);
-    bool joint = a->count > 0 && params->method == MT_METHOD_JOINT;
+    bool joint = drawn && params->method == MT_METHOD_JOINT;
     if (status == MT_OK)
         status = joint ? mt_join_best(&made, &turned, params, arena) : mt_map_pieces(&made, params, arena);
     assert(status != MT_OK || mt_morph_is_valid(&made));
