@@ -270,6 +270,15 @@ MT_API int mt_variable_unblended(const mt_variable *variable);
  * weight, width or slant; any other is of capitals and digits. MT_BAD_PARAMETER. */
 MT_API mt_status mt_variable_set_axis(mt_variable *variable, const char *tag, double from, double to);
 
+/* The fonts as a family: each at a value of its own on the axis, as many as there are fonts, ascending by at least 0.01. Without a setting
+ * the font stands at the plain one (a weight of 400, a width of 100, a slant of 0) where a font has that, otherwise at the first. Its named
+ * places are the fonts', by their names, and its family is what their families' names have in common, unless one is set. It takes the place
+ * of mt_variable_set_axis, has the same tags, and no map with it. Copied. MT_BAD_PARAMETER, MT_NO_MEMORY. */
+MT_API mt_status mt_variable_set_stops(mt_variable *variable, const char *tag, const double *values);
+/* Whether the family has an italic file besides this upright one, which the font's table of styles then links. A family of italic fonts
+ * says by itself that it is one. */
+MT_API void mt_variable_set_italic(mt_variable *variable, bool has_italic);
+
 /* How far the font gets where users set its axis: at values[i] as far as it is at places[i] without a map, in between on
  * straight lines. Both are from 0, the first font, to 100, the last, whatever the axis; the ends, 0 at 0 and 100 at 100, go without saying. Values ascend, of which 0.01 is
  * always enough (rounded to 2^-14 of the axis they must differ); places do not descend. The fonts have it as 'avar', a

@@ -164,11 +164,25 @@ static int refuse_axis(const cli_options *options, const char *argument) {
                   argument, suggest_text(&nearest, "", hint));
 }
 
+/* TAG alone: fonts stand where they say, or where --stops does. Whether the axis may be one depends on where that is. */
+static int read_family_axis(cli_options *options, const char *argument) {
+    uint32_t tag;
+    const double plain = mt_axis_tag_read(argument, &tag) ? mt_axis_plain(tag) : NAN;
+    mt_axis axis = {.tag = tag, .from = isnan(plain) ? 1 : plain};
+    axis.to = axis.from + 1;
+    if (strlen(argument) != 4 || !mt_axis_is_valid(&axis)) return refuse_axis(options, argument);
+    memcpy(options->axis_tag, argument, 4);
+    options->own_stops = true;
+    return GO_ON;
+}
+
 /* TAG=FROM..TO */
-static int read_axis(cli_options *options, const char *argument) {
+static int read_axis(const cli_command *command, cli_options *options, const char *argument) {
     char from[32] = "";
     mt_axis axis = {0};
     const char *is = strchr(argument, '='), *dots = is ? strstr(is, "..") : NULL;
+    options->own_stops = false;
+    if (!is && strchr(command->takes, 'x')) return read_family_axis(options, argument);
     bool whole = is == argument + 4 && dots && (size_t)(dots - is) < sizeof from;
     if (whole) strncat(from, is + 1, (size_t)(dots - is) - 1);
     whole = whole && number_read(from, &axis.from) && number_read(dots + 2, &axis.to);
@@ -178,6 +192,17 @@ static int read_axis(cli_options *options, const char *argument) {
     options->axis_from = axis.from;
     options->axis_to = axis.to;
     return GO_ON;
+}
+
+/* As many as fonts that a row may have. */
+static int read_stops(cli_options *options, const char *argument) {
+    mt_free(options->stops);
+    options->stops = mt_new(MT_VARIABLE_FONTS_MAX, sizeof *options->stops);
+    if (!options->stops) return no_memory();
+    options->stop_count = numbers_read(argument, options->stops, MT_VARIABLE_FONTS_MAX);
+    if (options->stop_count > 0) return GO_ON;
+    return misuse(options->command, "--stops %s: numbers with commas between them are wanted, one a font",
+                  argument);
 }
 
 static int read_glyphs(cli_options *options, const char *argument) {
@@ -266,7 +291,8 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'l': return options->no_labels = true, GO_ON;
     case 'F': return read_family(options, argument);
     case 'Y': return read_styles(options, argument);
-    case 'X': return read_axis(options, argument);
+    case 'X': return read_axis(command, options, argument);
+    case 'x': return read_stops(options, argument);
     case 'G': return read_glyphs(options, argument);
     case 'E': return options->alternates = true, GO_ON;
     case 'L': return options->no_layout = true, GO_ON;
@@ -376,7 +402,11 @@ static int check_together(const cli_options *options) {
         {options->text, options->chars_file, {"--text", "--chars"}},
         {options->alternates, options->no_layout, {"--alternates", "--no-layout"}},
         {options->quiet, options->verbose, {"--quiet", "--verbose"}},
+        {options->own_stops, options->map_count, {"--axis TAG", "--avar"}},
+        {options->own_stops, options->style_count, {"--axis TAG", "--style"}},
     };
+    if (options->stop_count && !options->own_stops)
+        return misuse(options->command, "--stops: --axis TAG is wanted with it, without FROM..TO");
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
         if (pairs[i].first && pairs[i].second)
             return misuse(options->command, "%s and %s exclude each other", pairs[i].names[0],
@@ -408,6 +438,7 @@ void options_free(cli_options *options) {
     mt_free(options->at);
     mt_free(options->map_values);
     mt_free(options->map_places);
+    mt_free(options->stops);
     mt_free(options->styles);
     mt_free(options->style_text);
     mt_free(options->text);

@@ -330,6 +330,12 @@ static int make_blend(cli_work *work) {
     return DONE;
 }
 
+static mt_status set_stops(const cli_work *work) {
+    const cli_options *options = work->options;
+    mt_variable_set_italic(work->variable, options->has_italic);
+    return mt_variable_set_stops(work->variable, options->axis_tag, options->stops);
+}
+
 static int make_variable(cli_work *work) {
     const cli_options *options = work->options;
     mt_status status = mt_variable_new(work->fonts, options->font_count, &options->params, &work->variable);
@@ -341,7 +347,8 @@ static int make_variable(cli_work *work) {
     if (status == MT_OK && options->family) status = mt_variable_set_family(work->variable, options->family);
     if (status == MT_OK && options->style_count)
         status = mt_variable_set_style(work->variable, options->styles[0]);
-    if (status == MT_OK && *options->axis_tag)
+    if (status == MT_OK && options->own_stops) status = set_stops(work);
+    if (status == MT_OK && *options->axis_tag && !options->own_stops)
         status =
             mt_variable_set_axis(work->variable, options->axis_tag, options->axis_from, options->axis_to);
     if (status == MT_OK)

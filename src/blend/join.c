@@ -18,8 +18,9 @@ typedef struct mt_track_joiner {
     int segment_count;
     const mt_track_segment **segments; /* of all steps, in order */
     mt_glyf glyf;                      /* as the font stands */
-    int place_count;                   /* with 0 at the start */
+    int place_count;                   /* with 0 among them, … */
     int *places;
+    int home;           /* … which is this one: where the font stands without a setting */
     int own_points;     /* of contours, or references */
     mt_font_point **at; /* at each place, all points */
 } mt_track_joiner;
@@ -53,7 +54,8 @@ static mt_status list_places(mt_track_joiner *joiner) {
         for (int k = 0; k < joiner->segments[i]->place_count; k++)
             joiner->places[joiner->place_count++] = joiner->segments[i]->places[k];
     for (int i = 0; joiner->segment_count == 0 && i < fonts; i++)
-        joiner->places[joiner->place_count++] = joiner->outlines->places[i];
+        joiner->places[joiner->place_count++] = joiner->outlines->stops.at[i];
+    while (joiner->places[joiner->home] < 0) joiner->home++;
     return MT_OK;
 }
 
@@ -120,8 +122,8 @@ static mt_status join_contours(mt_track_joiner *joiner) {
         for (int row = 0; row < joiner->segments[i]->place_count; row++)
             place_contours(joiner, i, row, joiner->at[place++]);
     for (int k = 0; k < joiner->own_points; k++) {
-        joiner->glyf.points[k].x = joiner->at[0][k].x;
-        joiner->glyf.points[k].y = joiner->at[0][k].y;
+        joiner->glyf.points[k].x = joiner->at[joiner->home][k].x;
+        joiner->glyf.points[k].y = joiner->at[joiner->home][k].y;
     }
     return MT_OK;
 }
@@ -139,11 +141,11 @@ static mt_status join_references(mt_track_joiner *joiner) {
         const mt_row_reference *r = &joiner->composite->references[i];
         for (int place = 0; place < joiner->place_count; place++) {
             mt_font_point *at = &joiner->at[place][i];
-            mt_between between =
-                mt_outlines_between(joiner->outlines, making->step_count, joiner->places[place]);
+            mt_between between = mt_outlines_between(joiner->outlines, joiner->places[place]);
             if (!mt_reference_at(making->row, r, between, making->units, &at->x, &at->y)) return MT_TOO_LARGE;
         }
-        references[i] = (mt_glyf_reference){r->glyph, joiner->at[0][i].x, joiner->at[0][i].y, false};
+        mt_font_point own = joiner->at[joiner->home][i];
+        references[i] = (mt_glyf_reference){r->glyph, own.x, own.y, false};
     }
     joiner->glyf.references = references;
     return MT_OK;
@@ -151,12 +153,12 @@ static mt_status join_references(mt_track_joiner *joiner) {
 
 /* ---- room in the line ---------------------------------------------------------------------------------- */
 
-/* The phantom points at a place; the glyph's own metrics at the first one. */
+/* The phantom points at a place; the glyph's own metrics where the font stands. */
 static mt_status place_phantoms(mt_track_joiner *joiner, int place, mt_font_point *phantoms) {
     const mt_making *making = joiner->making;
     bool alone = making->set.fonts.of[1][joiner->glyph] == MT_NO_PARTNER;
-    mt_between between =
-        mt_outlines_between(joiner->outlines, making->step_count, alone ? 0 : joiner->places[place]);
+    int at_place = alone ? joiner->outlines->stops.at[0] : joiner->places[place];
+    mt_between between = mt_outlines_between(joiner->outlines, at_place);
     const mt_glyph_track *track = track_of(joiner, between.first);
     mt_glyf at = {0}, *own = &joiner->glyf;
     mt_status status =
@@ -166,7 +168,7 @@ static mt_status place_phantoms(mt_track_joiner *joiner, int place, mt_font_poin
     phantoms[1].x = (int16_t)at.advance;
     phantoms[2].y = at.origin;
     phantoms[3].y = (int16_t)(at.origin - at.height);
-    if (place > 0) return MT_OK;
+    if (place != joiner->home) return MT_OK;
     own->advance = at.advance;
     own->height = at.height;
     own->origin = at.origin;
@@ -179,14 +181,23 @@ static bool is_near(int from, int to) {
     return to - from >= INT16_MIN && to - from <= INT16_MAX;
 }
 
-/* Whether 'gvar' can say by how far each point is at every place from where it is at the first. */
+/* Whether 'gvar' can say by how far each point is at every place from where the font has it. */
 static bool moves_fit(const mt_track_joiner *joiner) {
-    for (int i = 1; i < joiner->place_count; i++)
+    for (int i = 0; i < joiner->place_count; i++)
         for (int k = 0; k < joiner->own_points + MT_PHANTOM_POINTS; k++) {
-            mt_font_point first = joiner->at[0][k], at = joiner->at[i][k];
-            if (!is_near(first.x, at.x) || !is_near(first.y, at.y)) return false;
+            mt_font_point own = joiner->at[joiner->home][k], at = joiner->at[i][k];
+            if (!is_near(own.x, at.x) || !is_near(own.y, at.y)) return false;
         }
     return true;
+}
+
+/* All places but the one that the font has by itself. */
+static mt_glyph_path leave_home_out(mt_track_joiner *joiner) {
+    for (int i = joiner->home; i > 0; i--) {
+        joiner->places[i] = joiner->places[i - 1];
+        joiner->at[i] = joiner->at[i - 1];
+    }
+    return (mt_glyph_path){joiner->place_count - 1, joiner->places + 1, joiner->at + 1};
 }
 
 mt_status mt_tracks_join(mt_making *making, const mt_outlines *outlines, int glyph, mt_glyf *glyf,
@@ -202,6 +213,6 @@ mt_status mt_tracks_join(mt_making *making, const mt_outlines *outlines, int gly
     if (status != MT_OK) return status;
     if (!moves_fit(&joiner)) return MT_TOO_LARGE;
     *glyf = joiner.glyf;
-    *path = (mt_glyph_path){joiner.place_count - 1, joiner.places + 1, joiner.at + 1};
+    *path = leave_home_out(&joiner);
     return MT_OK;
 }

@@ -15,15 +15,17 @@
 /* All of them, ascending. */
 static mt_status list_places(const mt_making *making, const mt_outlines *outlines, const mt_glyph_path *paths,
                              mt_arena *arena, int **places, int *count) {
-    bool *used = mt_arena_new(arena, MT_PLACE_ONE + 1, sizeof *used);
-    *places = mt_arena_new(arena, MT_PLACE_ONE + 1, sizeof **places);
+    enum { ALL = 2 * MT_PLACE_ONE + 1 };
+    const mt_stops *stops = &outlines->stops;
+    bool *used = mt_arena_new(arena, ALL, sizeof *used);
+    *places = mt_arena_new(arena, ALL, sizeof **places);
     if (!used || !*places) return MT_NO_MEMORY;
-    for (int i = 0; i <= making->step_count; i++) used[outlines->places[i]] = true;
+    for (int i = 0; i < stops->count; i++) used[stops->at[i] + MT_PLACE_ONE] = true;
     for (int i = 0; i < making->glyph_count; i++)
-        for (int k = 0; k < paths[i].place_count; k++) used[paths[i].places[k]] = true;
+        for (int k = 0; k < paths[i].place_count; k++) used[paths[i].places[k] + MT_PLACE_ONE] = true;
     *count = 0;
-    for (int i = 0; i <= MT_PLACE_ONE; i++)
-        if (used[i]) (*places)[(*count)++] = i;
+    for (int i = 0; i < ALL; i++)
+        if (used[i]) (*places)[(*count)++] = i - MT_PLACE_ONE;
     return MT_OK;
 }
 
@@ -35,12 +37,15 @@ static int16_t mixed(int before, int after, double share) {
 
 /* Where a point is at a place, which is `own` at 0: on the straight line between the two of its places around it. */
 static mt_font_point point_at(const mt_glyph_path *path, int place, int point, mt_font_point own) {
-    if (path->place_count == 0) return own;
-    int i = 0;
-    while (i + 1 < path->place_count && path->places[i] < place) i++;
-    int from = i ? path->places[i - 1] : 0;
-    double share = (double)(place - from) / (path->places[i] - from);
-    mt_font_point p = i ? path->at[i - 1][point] : own, q = path->at[i][point];
+    int next = 0, from = 0, to = 0;
+    mt_font_point p = own, q = own;
+    while (next < path->place_count && path->places[next] < place) next++;
+    if (next > 0 && (place < 0 || path->places[next - 1] > 0))
+        from = path->places[next - 1], p = path->at[next - 1][point];
+    if (next < path->place_count && (place > 0 || path->places[next] < 0))
+        to = path->places[next], q = path->at[next][point];
+    if (place == 0 || from == to) return own;
+    double share = (double)(place - from) / (to - from);
     return (mt_font_point){mixed(p.x, q.x, share), mixed(p.y, q.y, share)};
 }
 
@@ -97,7 +102,7 @@ static mt_status kern(const mt_positions *positions, mt_between between, mt_aren
 /* What the axis says of a place there: of weight, width or slant, and as the style. */
 static mt_status name_place(const mt_axis_data *variation, int place, mt_arena *arena, mt_font_data *master) {
     enum { NAME_ROOM = 48 };
-    double value = mt_axis_user(&variation->axis, mt_axis_value(place));
+    double value = mt_axis_user(&variation->axis, mt_axis_value_of(&variation->axis, place));
     char *name = mt_arena_new(arena, NAME_ROOM, 1);
     if (!name) return MT_NO_MEMORY;
     snprintf(name, NAME_ROOM, "%s %.6g", variation->name, value);
@@ -127,7 +132,7 @@ mt_status mt_masters_make(const mt_making *making, const mt_outlines *outlines, 
     for (int i = 0; i < count && status == MT_OK; i++) {
         mt_font_data master;
         mt_arena_place before = mt_arena_mark(&arena);
-        mt_between between = mt_outlines_between(outlines, making->step_count, places[i]);
+        mt_between between = mt_outlines_between(outlines, places[i]);
         status = make_master(making, between, font, places[i], &arena, &master);
         if (status == MT_OK) status = ready(&master, places[i], user);
         mt_arena_rewind(&arena, before);

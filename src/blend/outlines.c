@@ -16,11 +16,8 @@
 static mt_status start(mt_making *making, void *user) {
     mt_outlines *outlines = user;
     int steps = making->step_count;
-    outlines->places = mt_arena_new(&making->arena, (size_t)steps + 1, sizeof *outlines->places);
     outlines->tracks = mt_arena_new(&making->arena, (size_t)steps, sizeof *outlines->tracks);
-    if (!outlines->places || !outlines->tracks) return MT_NO_MEMORY;
-    for (int i = 0; i <= steps; i++)
-        outlines->places[i] = (int)(((int64_t)MT_PLACE_ONE * i + steps / 2) / steps);
+    if (!outlines->tracks) return MT_NO_MEMORY;
     for (int i = 0; i < steps; i++) {
         outlines->tracks[i] =
             mt_arena_new(&making->arena, (size_t)making->glyph_count, sizeof(mt_glyph_track));
@@ -29,10 +26,10 @@ static mt_status start(mt_making *making, void *user) {
     return MT_OK;
 }
 
-mt_between mt_outlines_between(const mt_outlines *outlines, int step_count, int place) {
+mt_between mt_outlines_between(const mt_outlines *outlines, int place) {
     int step = 0;
-    const int *places = outlines->places;
-    while (step + 1 < step_count && place > places[step + 1]) step++;
+    const int *places = outlines->stops.at;
+    while (step + 2 < outlines->stops.count && place > places[step + 1]) step++;
     double length = places[step + 1] - places[step];
     return (mt_between){step, (place - places[step]) / length};
 }
@@ -44,7 +41,7 @@ typedef struct mt_stretch {
 
 static mt_stretch stretch_of(const mt_glyph_task *task, const mt_outlines *outlines) {
     int step = task->step;
-    return (mt_stretch){outlines->places[step] + (step > 0), outlines->places[step + 1]};
+    return (mt_stretch){outlines->stops.at[step] + (step > 0), outlines->stops.at[step + 1]};
 }
 
 static int *new_places(const mt_glyph_task *task, int count) {
@@ -60,15 +57,17 @@ static mt_status new_segments(const mt_glyph_task *task, int count, mt_glyph_tra
 
 /* ---- outlines that stay -------------------------------------------------------------------------------- */
 
-/* An outline that stays as it is between two places. */
+/* An outline that stays as it is between two places, and where the font stands without a setting, if that is between them. */
 static mt_status stay(const mt_glyph_task *task, const mt_outline *outline, mt_stretch stretch,
                       mt_track_segment *segment) {
-    int *places = new_places(task, 2);
-    const mt_outline both[2] = {*outline, *outline};
+    enum { PLACES_MOST = 3 };
+    int *places = new_places(task, PLACES_MOST), count = 0;
+    const mt_outline all[PLACES_MOST] = {*outline, *outline, *outline};
     if (!places) return MT_NO_MEMORY;
-    places[0] = stretch.from;
-    places[1] = stretch.to;
-    return mt_track_segment_make(both, places, 2, task->making->units, task->kept, task->scratch, segment);
+    places[count++] = stretch.from;
+    if (stretch.from < 0 && stretch.to > 0) places[count++] = 0;
+    places[count++] = stretch.to;
+    return mt_track_segment_make(all, places, count, task->making->units, task->kept, task->scratch, segment);
 }
 
 static mt_status stay_as(const mt_glyph_task *task, const mt_shape *shape, mt_stretch stretch,
@@ -82,10 +81,11 @@ static mt_status stay_as(const mt_glyph_task *task, const mt_shape *shape, mt_st
 }
 
 /* A glyph that some font has not: the first font's own, on the whole axis. */
-static mt_status keep_own(const mt_glyph_task *task, mt_glyph_track *track) {
+static mt_status keep_own(const mt_glyph_task *task, const mt_stops *stops, mt_glyph_track *track) {
     mt_status status = new_segments(task, 1, track);
     if (status != MT_OK) return status;
-    return stay_as(task, &task->pair.a, (mt_stretch){0, MT_PLACE_ONE}, &track->segments[0]);
+    mt_stretch whole = {stops->at[0], stops->at[stops->count - 1]};
+    return stay_as(task, &task->pair.a, whole, &track->segments[0]);
 }
 
 /* The nearer font's own outline; half-way, B's. */
@@ -166,7 +166,8 @@ static mt_status take(mt_glyph_task *task, mt_status prepared, void *user) {
     mt_stretch stretch = stretch_of(task, outlines);
     mt_status status = prepared;
     if (status == MT_OK)
-        status = task->b == MT_NO_PARTNER ? keep_own(task, track) : move(task, stretch, track);
+        status =
+            task->b == MT_NO_PARTNER ? keep_own(task, &outlines->stops, track) : move(task, stretch, track);
     status = mt_arena_verdict(task->scratch, status);
     if (status == MT_OK || status == MT_NO_MEMORY) return status;
     mt_task_report(task, status);

@@ -304,6 +304,7 @@ void mt_variable_free(mt_variable *variable) {
     if (!variable) return;
     mt_row_close(&variable->row);
     mt_axis_map_free(&variable->map);
+    mt_free(variable->values);
     mt_free(variable);
 }
 
@@ -342,11 +343,11 @@ mt_status mt_variable_set_style(mt_variable *variable, const char *name) {
 }
 
 mt_status mt_variable_set_axis(mt_variable *variable, const char *tag, double from, double to) {
-    mt_axis axis = {.from = from, .to = to};
-    if (strlen(tag) != 4) return MT_BAD_PARAMETER;
-    axis.tag = MT_TAG((uint8_t)tag[0], (uint8_t)tag[1], (uint8_t)tag[2], (uint8_t)tag[3]);
-    if (!mt_axis_is_valid(&axis)) return MT_BAD_PARAMETER;
+    mt_axis axis = {.from = from, .to = to, .home = from};
+    if (!mt_axis_tag_read(tag, &axis.tag) || !mt_axis_is_valid(&axis)) return MT_BAD_PARAMETER;
     variable->axis = axis;
+    mt_free(variable->values);
+    variable->values = NULL;
     return MT_OK;
 }
 
@@ -380,6 +381,7 @@ int mt_variable_unblended(const mt_variable *variable) {
 
 mt_status mt_variable_set_map(mt_variable *variable, const double *values, const double *places, int count) {
     mt_axis_map map = {0};
+    if (count > 0 && variable->values) return MT_BAD_PARAMETER;
     mt_status status = count == 0 ? MT_OK : mt_axis_map_make(values, places, count, &map);
     if (status != MT_OK) return status;
     mt_axis_map_free(&variable->map);

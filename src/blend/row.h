@@ -56,6 +56,8 @@ struct mt_variable {
     mt_row row;
     mt_axis axis;
     mt_axis_map map; /* as mt_variable_set_map has it */
+    double *values;  /* what users set for each font; NULL: evenly from axis.from to axis.to */
+    bool has_italic; /* the family has an italic file to these upright fonts */
 };
 
 /* A row of 1 … MT_VARIABLE_FONTS_MAX fonts, which it keeps using. MT_BAD_PARAMETER, MT_NO_MEMORY. */

@@ -2,6 +2,7 @@
 #include "blend/variable.h"
 
 #include "blend/assemble.h"
+#include "blend/family.h"
 #include "blend/join.h"
 #include "blend/masters.h"
 #include "blend/metadata.h"
@@ -108,13 +109,24 @@ static mt_status find_values(mt_variable_maker *maker) {
     int fonts = maker->variable->row.font_count;
     maker->values = mt_arena_new(&maker->making.arena, (size_t)fonts, sizeof *maker->values);
     if (!maker->values) return MT_NO_MEMORY;
+    const mt_variable *variable = maker->variable;
     for (int i = 0; i < fonts; i++)
-        maker->values[i] = mt_axis_user(&maker->variable->axis,
-                                        mt_axis_map_value(&maker->variable->map, maker->outlines.places[i]));
+        maker->values[i] = variable->values
+                               ? variable->values[i]
+                               : mt_axis_user(&variable->axis,
+                                              mt_axis_map_value(&variable->map, maker->outlines.stops.at[i]));
     return MT_OK;
 }
 
 /* ---- the font ------------------------------------------------------------------------------------------ */
+
+/* The style of the font as it stands. NULL for want of memory. */
+static const char *home_style(mt_variable_maker *maker, const mt_axis_data *variation) {
+    const mt_axis *axis = &variation->axis;
+    for (int i = 0; i < variation->named_count && maker->variable->values; i++)
+        if (variation->named[i].value == axis->home) return variation->named[i].name;
+    return mt_axis_place_name(axis, axis->from, &maker->making.arena);
+}
 
 /* The names; those of the axis must be known. */
 static mt_status name_font(mt_variable_maker *maker, mt_font_data *data) {
@@ -123,9 +135,11 @@ static mt_status name_font(mt_variable_maker *maker, mt_font_data *data) {
     mt_arena *arena = &maker->making.arena;
     mt_status status =
         mt_metadata_axis_names(row->fonts, maker->values, row->font_count, row->family, arena, data);
-    const char *style = row->style_count ? row->styles[0] : mt_axis_place_name(axis, axis->from, arena);
+    const char *style = row->style_count ? row->styles[0] : home_style(maker, data->variation);
     if (status == MT_OK && !style) status = MT_NO_MEMORY;
     if (status == MT_OK) mt_metadata_style(style, data);
+    if (status == MT_OK && maker->variable->values)
+        mt_metadata_axis(axis, axis->home, data->units, &data->metrics);
     return status;
 }
 
@@ -136,17 +150,28 @@ static mt_status mirror_tables(mt_variable_maker *maker, mt_font_data *data) {
     return status;
 }
 
+/* The font as it stands: at one of the row. */
+static void fill_home(const mt_variable_maker *maker, mt_font_data *data) {
+    const mt_row *row = &maker->variable->row;
+    int home = maker->outlines.stops.home, first = home + 1 < row->font_count ? home : home - 1;
+    mt_metadata_fill(row->fonts[first], row->fonts[first + 1], home - first, data);
+}
+
 static mt_status hand_over(mt_variable_maker *maker, bool masters, mt_font_ready ready, void *user) {
     const mt_variable *variable = maker->variable;
     const mt_row *row = &variable->row;
-    mt_axis_data variation = {.axis = variable->axis, .paths = maker->paths, .map = variable->map};
+    mt_axis_data variation = {.axis = variable->axis,
+                              .paths = maker->paths,
+                              .map = variable->map,
+                              .slope = mt_variable_slope(variable)};
     mt_font_data data = mt_making_font(&maker->making, maker->glyphs);
     data.variation = &variation;
     mt_status status = find_values(maker);
     if (status == MT_OK)
-        status = mt_axis_name_places(maker->values, row->font_count, &maker->making.arena, &variation);
-    mt_metadata_fill(row->fonts[0], row->fonts[1], 0, &data); /* the font as it stands: at the first one */
-    if (status == MT_OK) status = mt_varying_tables_add(&maker->making, &maker->outlines, &data);
+        status = mt_variable_name_places(variable, maker->values, row->font_count, &maker->making.arena,
+                                         &variation);
+    fill_home(maker, &data);
+    if (status == MT_OK) status = mt_varying_tables_add(&maker->making, &maker->outlines, variable, &data);
     if (status == MT_OK) status = name_font(maker, &data);
     if (status == MT_OK && mt_axis_goes_down(&variable->axis)) status = mirror_tables(maker, &data);
     if (status != MT_OK) return status;
@@ -156,7 +181,8 @@ static mt_status hand_over(mt_variable_maker *maker, bool masters, mt_font_ready
 
 static mt_status make(mt_variable *variable, const mt_sink *also, bool masters, mt_font_ready ready,
                       void *user) {
-    mt_variable_maker maker = {.variable = variable, .making = {.varies = true}};
+    mt_variable_maker maker = {
+        .variable = variable, .making = {.varies = true}, .outlines = {.stops = mt_variable_stops(variable)}};
     mt_making *making = &maker.making;
     making->sinks[making->sink_count++] = mt_outlines_sink(&maker.outlines);
     if (also) making->sinks[making->sink_count++] = *also;
@@ -173,6 +199,6 @@ mt_status mt_variable_make(mt_variable *variable, const mt_sink *also, mt_font_r
     return make(variable, also, false, ready, user);
 }
 
-mt_status mt_variable_masters(mt_variable *variable, mt_font_ready ready, void *user) {
-    return make(variable, NULL, true, ready, user);
+mt_status mt_variable_masters(mt_variable *variable, const mt_sink *also, mt_font_ready ready, void *user) {
+    return make(variable, also, true, ready, user);
 }

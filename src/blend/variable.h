@@ -9,4 +9,4 @@ mt_status mt_variable_make(mt_variable *variable, const mt_sink *also, mt_font_r
 
 /* The same as masters, fonts that do not vary and whose glyphs have the same points: each with its place on the axis
  * (axis.h) as the index, in this order. */
-mt_status mt_variable_masters(mt_variable *variable, mt_font_ready ready, void *user);
+mt_status mt_variable_masters(mt_variable *variable, const mt_sink *also, mt_font_ready ready, void *user);

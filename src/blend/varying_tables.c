@@ -1,6 +1,7 @@
 /* GPOS, MATH and GDEF, HVAR and VVAR, MVAR: values at each font of the row, of which the tables' writers make deltas. */
 #include "blend/varying_tables.h"
 
+#include "blend/family.h"
 #include "blend/masters.h"
 #include "blend/metadata.h"
 #include "layout/gdef.h"
@@ -8,10 +9,10 @@
 #include "write/varying.h"
 
 /* GSUB is the first font's, and there already; GPOS and MATH vary by the store that GDEF has. */
-static mt_status add_layout(mt_making *making, mt_font_data *font) {
+static mt_status add_layout(mt_making *making, const mt_stops *stops, mt_font_data *font) {
     double at[MT_STOPS_MAX];
-    mt_var_store store = mt_var_store_make(making->row->font_count);
-    mt_places places = mt_places_of_fonts(making->row->font_count, at, &store);
+    mt_var_store store = mt_var_store_make(stops);
+    mt_places places = mt_places_of_fonts(at, &store);
     mt_bytes gpos, math, gdef;
     mt_status status = mt_positions_write_varying(making->positions, &store, &making->arena, &gpos);
     if (status == MT_OK) status = mt_math_write(making->math, &places, &making->arena, &math);
@@ -24,18 +25,19 @@ static mt_status add_layout(mt_making *making, mt_font_data *font) {
     return MT_OK;
 }
 
-/* The glyphs at each font, without outlines. */
+/* The glyphs at each stop, without outlines. */
 static mt_status list_rooms(mt_making *making, const mt_outlines *outlines, const mt_font_data *font,
                             mt_glyf ***rooms) {
-    size_t fonts = (size_t)making->row->font_count, glyphs = (size_t)making->glyph_count;
+    const mt_stops *stops = &outlines->stops;
+    size_t fonts = (size_t)stops->count, glyphs = (size_t)making->glyph_count;
     *rooms = mt_arena_new(&making->arena, fonts, sizeof **rooms);
     if (!*rooms) return MT_NO_MEMORY;
     for (size_t i = 0; i < fonts; i++) {
         (*rooms)[i] = mt_arena_new(&making->arena, glyphs, sizeof(mt_glyf));
         if (!(*rooms)[i]) return MT_NO_MEMORY;
+        int place = stops->at[mt_stops_font(stops, (int)i)];
         for (size_t k = 0; k < glyphs; k++)
-            mt_glyph_room_at(&font->glyphs[k], &font->variation->paths[k], outlines->places[i],
-                             &(*rooms)[i][k]);
+            mt_glyph_room_at(&font->glyphs[k], &font->variation->paths[k], place, &(*rooms)[i][k]);
     }
     return MT_OK;
 }
@@ -43,46 +45,48 @@ static mt_status list_rooms(mt_making *making, const mt_outlines *outlines, cons
 static mt_status add_rooms(mt_making *making, const mt_outlines *outlines, mt_font_data *font) {
     mt_glyf **rooms;
     mt_bytes hvar, vvar = {0};
-    int fonts = making->row->font_count;
+    const mt_stops *stops = &outlines->stops;
     mt_status status = list_rooms(making, outlines, font, &rooms);
-    if (status == MT_OK) status = mt_hvar_write(rooms, fonts, making->glyph_count, &making->arena, &hvar);
+    if (status == MT_OK) status = mt_hvar_write(rooms, stops, making->glyph_count, &making->arena, &hvar);
     if (status == MT_OK && font->metrics.vertical)
-        status = mt_vvar_write(rooms, fonts, making->glyph_count, &making->arena, &vvar);
+        status = mt_vvar_write(rooms, stops, making->glyph_count, &making->arena, &vvar);
     if (status != MT_OK) return status;
     mt_add_extra(font, MT_TAG('H', 'V', 'A', 'R'), hvar);
     mt_add_extra(font, MT_TAG('V', 'V', 'A', 'R'), vvar);
     return MT_OK;
 }
 
-/* The font's own are those of the first source, with the lines that can vary. */
-static mt_status add_figures(mt_making *making, mt_font_data *font) {
-    int count = making->row->font_count;
+/* The font's own are those of the first stop, with the lines that can vary. */
+static mt_status add_figures(mt_making *making, const mt_stops *stops, const mt_variable *variable,
+                             mt_font_data *font) {
+    int count = stops->count;
     const mt_axis *axis = &font->variation->axis;
     mt_metrics *metrics = mt_arena_new(&making->arena, (size_t)count, sizeof *metrics);
     if (!metrics) return MT_NO_MEMORY;
     bool vertical = false;
     for (int i = 0; i < count; i++) {
-        mt_font *const *fonts = making->row->fonts + (i ? i - 1 : 0);
+        int at_font = mt_stops_font(stops, i), first = at_font ? at_font - 1 : 0;
+        mt_font *const *fonts = making->row->fonts + first;
         mt_font_data at = {.units = making->units};
-        mt_metadata_fill(fonts[0], fonts[1], i ? 1 : 0, &at);
+        mt_metadata_fill(fonts[0], fonts[1], at_font - first, &at);
         metrics[i] = at.metrics;
-        mt_metadata_axis(axis, mt_axis_user(axis, (double)MT_AXIS_END * i / (count - 1)), at.units,
-                         &metrics[i]);
+        mt_metadata_axis(axis, mt_variable_value(variable, at_font), at.units, &metrics[i]);
         vertical = vertical || at.metrics.vertical;
     }
     for (int i = 0; i < count; i++) metrics[i].vertical = vertical;
     mt_varying_lines(metrics, count);
     mt_varying_caret(metrics, count);
     mt_bytes mvar;
-    mt_status status = mt_mvar_write(metrics, count, &making->arena, &mvar);
+    mt_status status = mt_mvar_write(metrics, stops, &making->arena, &mvar);
     if (status != MT_OK) return status;
     font->metrics = metrics[0];
     mt_add_extra(font, MT_TAG('M', 'V', 'A', 'R'), mvar);
     return MT_OK;
 }
 
-mt_status mt_varying_tables_add(mt_making *making, const mt_outlines *outlines, mt_font_data *font) {
-    mt_status status = add_layout(making, font);
-    if (status == MT_OK) status = add_figures(making, font);
+mt_status mt_varying_tables_add(mt_making *making, const mt_outlines *outlines, const mt_variable *variable,
+                                mt_font_data *font) {
+    mt_status status = add_layout(making, &outlines->stops, font);
+    if (status == MT_OK) status = add_figures(making, &outlines->stops, variable, font);
     return status == MT_OK ? add_rooms(making, outlines, font) : status;
 }

@@ -1,8 +1,8 @@
 /* Where on the way through the fonts positions are written for. The fonts lie at 0, 1, 2, …; what a value is between
  * two of them is mixed of both.
  *
- * A static font is written for one place. A varying one is written for all fonts, in their order: the first gives its
- * default values, and the others what a variation store adds to them. */
+ * A static font is written for one place. A varying one is written for all fonts, in the order of stops (stops.h): the first gives
+ * its default values, and the others what a variation store adds to them. */
 #pragma once
 
 #include "glyphset/charset.h"
@@ -15,8 +15,8 @@ typedef struct mt_places {
     mt_var_store *store; /* takes what varies; NULL where there is one place */
 } mt_places;
 
-/* All fonts, with room for their places in `at`. */
-mt_places mt_places_of_fonts(int font_count, double at[MT_STOPS_MAX], mt_var_store *store);
+/* All fonts of the store, with room for their places in `at`. */
+mt_places mt_places_of_fonts(double at[MT_STOPS_MAX], mt_var_store *store);
 
 /* The two fonts that a place lies between: `first` and the one after it, so far from the first (0 … 1). */
 typedef struct mt_between {

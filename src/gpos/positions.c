@@ -372,6 +372,6 @@ mt_status mt_positions_write(const mt_positions *positions, double t, mt_arena *
 mt_status mt_positions_write_varying(const mt_positions *positions, mt_var_store *store, mt_arena *arena,
                                      mt_bytes *gpos) {
     double at[MT_STOPS_MAX];
-    mt_places places = mt_places_of_fonts(positions->font_count, at, store);
+    mt_places places = mt_places_of_fonts(at, store);
     return write_at(positions, &places, arena, gpos);
 }

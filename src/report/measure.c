@@ -154,6 +154,7 @@ static mt_status start(mt_making *making, void *user) {
     figures->steps = mt_new((size_t)steps, sizeof *figures->steps);
     if (!figures->steps) return MT_NO_MEMORY;
     figures->step_count = steps;
+    figures->glyph_count = making->glyph_count;
     for (int i = 0; i < steps; i++) {
         figures->steps[i] = mt_new((size_t)making->glyph_count, sizeof(mt_report_glyph));
         if (!figures->steps[i]) return MT_NO_MEMORY;

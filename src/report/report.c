@@ -14,7 +14,7 @@ static int by_name(const mt_pairing *x, const mt_pairing *y) {
     return (in_x > in_y) - (in_x < in_y);
 }
 
-static int worst_first(const void *p, const void *q) {
+int mt_report_worst_first(const void *p, const void *q) {
     const mt_report_glyph *x = p, *y = q;
     if (x->severity != y->severity) return x->severity > y->severity ? -1 : 1;
     return by_name(&x->of, &y->of);
@@ -45,7 +45,8 @@ static mt_status collect(const mt_making *making, const mt_report_figures *figur
         if (charset->glyphs[i].b == MT_NO_PARTNER)
             report->unblended[report->unblended_count++] = charset->glyphs[i];
     }
-    if (report->count) qsort(report->glyphs, (size_t)report->count, sizeof *report->glyphs, worst_first);
+    if (report->count)
+        qsort(report->glyphs, (size_t)report->count, sizeof *report->glyphs, mt_report_worst_first);
     summarise(report);
     return MT_OK;
 }

@@ -93,6 +93,8 @@ void mt_report_judge(mt_report_glyph *glyph);
 
 /* Whether a place is one that makes the glyph flagged, or has counts out of the ends' range. */
 bool mt_report_is_off(const mt_report_glyph *glyph, int step);
+/* By severity, the worst first; equals by code point, then by number: for qsort. */
+int mt_report_worst_first(const void *p, const void *q);
 /* Whether all counts are in the ends' range; whether all ink is, or leaves it by MT_INK_EXCESS at most. */
 bool mt_report_counts_in_range(const mt_report_glyph *glyph);
 bool mt_report_ink_in_range(const mt_report_glyph *glyph);
@@ -114,7 +116,7 @@ const char *mt_report_method_name(mt_report_method method);
 /* What a sink (blend/making.h) measures. */
 typedef struct mt_report_figures {
     bool mapped_only; /* glyphs that no character leads to are not looked at */
-    int step_count;
+    int step_count, glyph_count;
     mt_report_glyph **steps; /* of each step, the new font's glyphs; all NULL until the glyphs are known */
 } mt_report_figures;
 

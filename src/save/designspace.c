@@ -9,8 +9,8 @@
 #include "base/file.h"
 #include "base/memory.h"
 #include "base/xml.h"
+#include "blend/family.h"
 #include "save/ufo.h"
-#include "sfnt/axis_names.h"
 
 #define EXTENSION ".designspace"
 #define FOLDER "-masters"
@@ -47,9 +47,8 @@ mt_status mt_designspace_check(const char *path) {
 
 /* ---- masters --------------------------------------------------------------------------------------------- */
 
-mt_status mt_designspace_begin(const char *path, const mt_axis *axis, const mt_axis_map *map,
-                               mt_designspace *designspace) {
-    mt_designspace made = {.path = mt_copy_text(path), .axis = axis, .map = map};
+mt_status mt_designspace_begin(const char *path, const mt_variable *variable, mt_designspace *designspace) {
+    mt_designspace made = {.path = mt_copy_text(path), .variable = variable};
     char *folder = mt_designspace_folder(path);
     mt_status status = made.path && folder ? mt_folder_begin(folder, &made.folder) : MT_NO_MEMORY;
     mt_free(folder);
@@ -69,7 +68,7 @@ static mt_status add_master(mt_designspace *designspace, const mt_font_data *dat
     if (!grown) return MT_NO_MEMORY;
     designspace->masters = grown;
     struct mt_master *master = &designspace->masters[designspace->count++];
-    *master = (struct mt_master){.value = mt_axis_value(place),
+    *master = (struct mt_master){.value = mt_axis_value_of(&designspace->variable->axis, place),
                                  .family = mt_copy_text(data->family),
                                  .style = mt_copy_text(data->style)};
     snprintf(master->file, sizeof master->file, "Morph-%.6g.ufo", master->value);
@@ -106,7 +105,7 @@ static void write_location(const mt_designspace *designspace, const char *axis, 
     mt_xml_open(xml, "location");
     mt_xml_open(xml, "dimension");
     mt_xml_attribute(xml, "name", axis);
-    write_real("xvalue", mt_axis_user(designspace->axis, place), xml);
+    write_real("xvalue", mt_axis_user(&designspace->variable->axis, place), xml);
     mt_xml_close(xml);
     mt_xml_close(xml);
 }
@@ -124,7 +123,7 @@ static void write_map(const mt_axis *axis, const mt_axis_map *map, mt_xml *xml) 
 
 /* In user coordinates. */
 static void write_axis(const mt_designspace *designspace, const char *name, mt_xml *xml) {
-    const mt_axis *axis = designspace->axis;
+    const mt_axis *axis = &designspace->variable->axis;
     const char tag[] = {(char)(axis->tag >> 24), (char)(axis->tag >> 16 & 0xFF),
                         (char)(axis->tag >> 8 & 0xFF), (char)(axis->tag & 0xFF), '\0'};
     mt_xml_open(xml, "axes");
@@ -133,8 +132,8 @@ static void write_axis(const mt_designspace *designspace, const char *name, mt_x
     mt_xml_attribute(xml, "name", name);
     write_real("minimum", fmin(axis->from, axis->to), xml);
     write_real("maximum", fmax(axis->from, axis->to), xml);
-    write_real("default", axis->from, xml);
-    write_map(axis, designspace->map, xml);
+    write_real("default", axis->home, xml);
+    write_map(axis, &designspace->variable->map, xml);
     mt_xml_close(xml);
     mt_xml_close(xml);
 }
@@ -154,12 +153,12 @@ static void write_source(const mt_designspace *designspace, const char *axis, co
 
 static void write_instance(const mt_designspace *designspace, const char *axis, const mt_named_place *place,
                            mt_xml *xml) {
-    double along = mt_axis_along(designspace->axis, place->value);
+    double along = mt_axis_along(&designspace->variable->axis, place->value);
     mt_xml_open(xml, "instance");
     mt_xml_attribute(xml, "familyname", designspace->masters[0].family);
     mt_xml_attribute(xml, "stylename", place->name);
     mt_xml_attribute(xml, "name", place->name);
-    write_location(designspace, axis, mt_axis_map_place(designspace->map, along), xml);
+    write_location(designspace, axis, mt_axis_map_place(&designspace->variable->map, along), xml);
     mt_xml_close(xml);
 }
 
@@ -184,10 +183,10 @@ mt_status mt_designspace_end(mt_designspace *designspace, mt_file_set *set) {
     const char *text;
     size_t length;
     mt_arena arena = {0};
-    mt_axis_data names = {.axis = *designspace->axis};
+    mt_axis_data names = {.axis = designspace->variable->axis};
     const double ends[] = {names.axis.from, names.axis.to};
     mt_xml xml = mt_xml_begin();
-    mt_status status = mt_axis_name_places(ends, 2, &arena, &names);
+    mt_status status = mt_variable_name_places(designspace->variable, ends, 2, &arena, &names);
     if (status == MT_OK) write_document(designspace, &names, &xml);
     if (status == MT_OK) status = mt_xml_end(&xml, &text, &length);
     if (status == MT_OK)

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "base/file_set.h"
-#include "sfnt/axis.h"
-#include "sfnt/axis_map.h"
+#include "blend/row.h"
 #include "write/font_data.h"
 
 /* In the making: nothing is in its place yet. */
@@ -13,8 +12,7 @@ typedef struct mt_designspace {
     mt_folder folder;
     int count, room;
     struct mt_master *masters;
-    const mt_axis *axis;
-    const mt_axis_map *map;
+    const mt_variable *variable;
     size_t length; /* of all files, bytes */
 } mt_designspace;
 
@@ -24,9 +22,8 @@ char *mt_designspace_folder(const char *path);
 /* Whether both may stand there: mt_file_check, mt_folder_check. */
 mt_status mt_designspace_check(const char *path);
 
-/* Keeps using the axis and the map. */
-mt_status mt_designspace_begin(const char *path, const mt_axis *axis, const mt_axis_map *map,
-                               mt_designspace *designspace);
+/* Keeps using the variable font: its axis, map and named places. */
+mt_status mt_designspace_begin(const char *path, const mt_variable *variable, mt_designspace *designspace);
 /* Adds the master at a place of the axis (axis_data.h); the first is at its start, and the last at its end. As mt_ufo_write. */
 mt_status mt_designspace_add(mt_designspace *designspace, const mt_font_data *master, int place);
 /* Adds both to what is to be placed. MT_CANNOT_WRITE (errno says why), MT_NO_MEMORY. */

@@ -44,9 +44,8 @@ typedef struct mt_product {
     size_t length;
     mt_folder folder;
     mt_designspace designspace;
-    const mt_axis *axis;    /* of a designspace */
-    const mt_axis_map *map; /* the same */
-    int first;              /* of what is to be placed, its first */
+    const mt_variable *variable; /* of a designspace */
+    int first;                   /* of what is to be placed, its first */
 } mt_product;
 
 static bool has_overlaps(const mt_font_data *data) {
@@ -88,7 +87,7 @@ static mt_status make_product(const mt_font_data *data, mt_product *product) {
 static mt_status add_master(const mt_font_data *data, int place, mt_product *product) {
     mt_status status = MT_OK;
     if (!product->designspace.path)
-        status = mt_designspace_begin(product->path, product->axis, product->map, &product->designspace);
+        status = mt_designspace_begin(product->path, product->variable, &product->designspace);
     return status == MT_OK ? mt_designspace_add(&product->designspace, data, place) : status;
 }
 
@@ -117,6 +116,7 @@ static void free_product(mt_product *product) {
 typedef struct mt_products {
     const mt_saving *saving;
     mt_product *list;
+    int at_hand; /* of variable fonts, the one that is made */
     int failed;
 } mt_products;
 
@@ -175,7 +175,8 @@ static mt_status place(mt_products *products) {
 typedef mt_status (*mt_make_fonts)(void *source, mt_products *products);
 
 static mt_status save_when(void *source, mt_make_fonts make, const mt_saving *saving, int *failed) {
-    mt_products products = {saving, mt_new((size_t)saving->count, sizeof *products.list), -1};
+    mt_products products = {.saving = saving, .failed = -1};
+    products.list = mt_new((size_t)saving->count, sizeof *products.list);
     if (!products.list) return MT_NO_MEMORY;
     mt_status status = prepare(&products);
     if (status == MT_OK) status = make(source, &products);
@@ -198,27 +199,49 @@ mt_status mt_blend_save_when(mt_blend *blend, const mt_saving *saving, int *fail
     return save_when(blend, make_blends, saving, failed);
 }
 
+/* ---- variable fonts --------------------------------------------------------------------------------------- */
+
+typedef struct mt_variables {
+    mt_variable *const *list;
+    const mt_sink *const *also;
+} mt_variables;
+
+static mt_status keep_variable(const mt_font_data *data, int index, void *user) {
+    mt_products *products = user;
+    (void)index;
+    return keep(data, products->at_hand, products);
+}
+
 static mt_status keep_master(const mt_font_data *data, int place, void *user) {
     mt_products *products = user;
-    return note(products, 0, add_master(data, place, &products->list[0]));
+    return note(products, products->at_hand, add_master(data, place, &products->list[products->at_hand]));
 }
 
-static mt_status make_variable(void *variable, mt_products *products) {
-    const mt_variable *made = variable;
-    products->list[0].axis = &made->axis;
-    products->list[0].map = &made->map;
-    if (products->list[0].format == MT_FONT_DESIGNSPACE)
-        return mt_variable_masters(variable, keep_master, products);
-    return mt_variable_make(variable, NULL, keep, products);
+static mt_status make_variables(void *source, mt_products *products) {
+    const mt_variables *variables = source;
+    mt_status status = MT_OK;
+    for (int i = 0; i < products->saving->count && status == MT_OK; i++) {
+        mt_product *product = &products->list[i];
+        const mt_sink *also = variables->also ? variables->also[i] : NULL;
+        products->at_hand = i;
+        product->variable = variables->list[i];
+        if (product->format == MT_FONT_DESIGNSPACE)
+            status = mt_variable_masters(variables->list[i], also, keep_master, products);
+        else
+            status = mt_variable_make(variables->list[i], also, keep_variable, products);
+    }
+    return status;
 }
 
-mt_status mt_variable_save_when(mt_variable *variable, const mt_saving *saving, int *failed) {
-    return save_when(variable, make_variable, saving, failed);
+mt_status mt_variables_save_when(mt_variable *const *variables, const mt_sink *const *also,
+                                 const mt_saving *saving, int *failed) {
+    mt_variables all = {variables, also};
+    return save_when(&all, make_variables, saving, failed);
 }
 
 mt_status mt_variable_save(mt_variable *variable, const char *path) {
     const mt_saving saving = {.count = 1, .paths = &path};
-    return mt_variable_save_when(variable, &saving, NULL);
+    return mt_variables_save_when(&variable, NULL, &saving, NULL);
 }
 
 mt_status mt_blend_save_fonts(mt_blend *blend, const double *t, int count, const char *const *paths) {

@@ -1,8 +1,7 @@
 /* Blended fonts saved in the format of their file's extension: .ttf, .woff2 or .ufo. */
 #pragma once
 
-#include "sfnt/axis.h"
-#include "sfnt/axis_map.h"
+#include "blend/making.h"
 #include "write/font_data.h"
 
 typedef enum mt_font_format {
@@ -20,9 +19,9 @@ bool mt_font_format_of(const char *path, mt_font_format *format);
 mt_status mt_save_check(const char *path);
 
 typedef struct mt_saving {
-    const double *t; /* NULL for a variable font, of which there is one */
+    const double *t; /* NULL for variable fonts */
     int count;
-    const char *const *paths; /* one for each T */
+    const char *const *paths; /* one for each T or variable font */
     mt_status (*made)(
         void *user); /* called when all fonts are made and none is in its place, unless NULL; its status
                                     * other than MT_OK ends the saving */
@@ -39,5 +38,6 @@ mt_status mt_font_pack(const mt_font_data *data, const uint8_t *font, size_t len
  * which could not be written or is too large; -1 for other errors. What mt_blend_fonts gives, and MT_UNKNOWN_FORMAT,
  * MT_CANNOT_WRITE (errno says why). */
 mt_status mt_blend_save_when(mt_blend *blend, const mt_saving *saving, int *failed);
-/* The same of a variable font. */
-mt_status mt_variable_save_when(mt_variable *variable, const mt_saving *saving, int *failed);
+/* The same of variable fonts, one for each path. Each has a sink that takes its glyphs besides, unless that is NULL; or `also` is. */
+mt_status mt_variables_save_when(mt_variable *const *variables, const mt_sink *const *also,
+                                 const mt_saving *saving, int *failed);

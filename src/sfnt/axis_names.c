@@ -38,12 +38,24 @@ static const struct mt_known_axis *find_axis(uint32_t tag) {
     return NULL;
 }
 
+double mt_axis_plain(uint32_t tag) {
+    const struct mt_known_axis *known = find_axis(tag);
+    return known ? known->plain : NAN;
+}
+
 static bool is_own_tag(uint32_t tag) {
     for (int shift = 24; shift >= 0; shift -= 8) {
         uint32_t c = tag >> shift & 0xFF;
         bool capital = c >= 'A' && c <= 'Z', digit = c >= '0' && c <= '9';
         if (!capital && (!digit || shift == 24)) return false;
     }
+    return true;
+}
+
+bool mt_axis_tag_read(const char *text, uint32_t *tag) {
+    const uint8_t *c = (const uint8_t *)text;
+    if (strlen(text) != 4) return false;
+    *tag = MT_TAG(c[0], c[1], c[2], c[3]);
     return true;
 }
 
@@ -124,7 +136,8 @@ static mt_status add_place(mt_axis_places *places, double value) {
     if (!name) return MT_NO_MEMORY;
     for (int i = 0; i < places->count; i++)
         if (strcmp(places->list[i].name, name) == 0) return MT_OK;
-    places->list[places->count++] = (mt_named_place){value, name, known && is_at(value, known->plain), value};
+    places->list[places->count++] =
+        (mt_named_place){value, name, known && is_at(value, known->plain), value, name};
     return MT_OK;
 }
 
@@ -156,21 +169,41 @@ static int compare(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
+/* Hands over the places, which ascend, with the axis' own name. */
+static mt_status take_places(mt_axis_places *places, mt_axis_data *data) {
+    const struct mt_known_axis *known = find_axis(data->axis.tag);
+    char *name = mt_arena_new(places->arena, 5, 1);
+    if (!name) return MT_NO_MEMORY;
+    for (int i = 0; i < 4; i++) name[i] = (char)(data->axis.tag >> (24 - 8 * i) & 0xFF);
+    link_bold(places);
+    data->name = known ? known->name : name;
+    data->named = places->list;
+    data->named_count = places->count;
+    return MT_OK;
+}
+
 mt_status mt_axis_name_places(const double *values, int count, mt_arena *arena, mt_axis_data *data) {
     enum { STANDARD_MOST = 16 };
-    const struct mt_known_axis *known = find_axis(data->axis.tag);
     mt_axis_places places = {&data->axis, arena, NULL, 0};
     places.list = mt_arena_new(arena, STANDARD_MOST + (size_t)count, sizeof *places.list);
-    char *name = mt_arena_new(arena, 5, 1);
-    if (!places.list || !name) return MT_NO_MEMORY;
-    for (int i = 0; i < 4; i++) name[i] = (char)(data->axis.tag >> (24 - 8 * i) & 0xFF);
+    if (!places.list) return MT_NO_MEMORY;
     mt_status status = add_standard_places(&places);
     for (int i = 0; i < count && status == MT_OK; i++) status = add_place(&places, values[i]);
     if (status != MT_OK) return status;
     qsort(places.list, (size_t)places.count, sizeof *places.list, compare);
-    link_bold(&places);
-    data->name = known ? known->name : name;
-    data->named = places.list;
-    data->named_count = places.count;
-    return MT_OK;
+    return take_places(&places, data);
+}
+
+/* A name that the axis has for the value anyway is left out where it is the plain one. */
+mt_status mt_axis_name_stops(const double *values, const mt_stop_name *names, int count, mt_arena *arena,
+                             mt_axis_data *data) {
+    const mt_axis *axis = &data->axis;
+    mt_axis_places places = {axis, arena, mt_arena_new(arena, (size_t)count, sizeof *places.list), count};
+    if (!places.list) return MT_NO_MEMORY;
+    for (int i = 0; i < count; i++) {
+        const char *known = find_name(axis, values[i]);
+        bool plain = is_at(values[i], mt_axis_plain(axis->tag)) && known && strcmp(names[i].part, known) == 0;
+        places.list[i] = (mt_named_place){values[i], names[i].whole, plain, values[i], names[i].part};
+    }
+    return take_places(&places, data);
 }

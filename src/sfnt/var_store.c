@@ -2,8 +2,8 @@
 
 #include "base/memory.h"
 
-mt_var_store mt_var_store_make(int stop_count) {
-    return (mt_var_store){.stop_count = stop_count, .rows = {.width = stop_count - 1}};
+mt_var_store mt_var_store_make(const mt_stops *stops) {
+    return (mt_var_store){.stops = *stops, .rows = {.width = stops->count - 1}};
 }
 
 void mt_var_store_free(mt_var_store *store) {
@@ -82,7 +82,7 @@ mt_status mt_var_store_add_row(mt_var_store *store, const int32_t *values, uint3
     int32_t deltas[MT_STOPS_MAX];
     int row, known = store->rows.count;
     uint32_t made;
-    for (int i = 1; i < store->stop_count; i++) deltas[i - 1] = values[i] - values[0];
+    for (int i = 1; i < store->stops.count; i++) deltas[i - 1] = values[i] - values[0];
     mt_status status = mt_intern(&store->rows, deltas, &row);
     if (status == MT_OK && row == known) status = place_row(store, deltas, &made);
     if (status == MT_OK && row == known) status = keep_index(store, row, made);
@@ -92,7 +92,7 @@ mt_status mt_var_store_add_row(mt_var_store *store, const int32_t *values, uint3
 
 mt_status mt_var_store_add(mt_var_store *store, const int32_t *values, uint32_t *index) {
     bool varies = false;
-    for (int i = 1; i < store->stop_count; i++) varies |= values[i] != values[0];
+    for (int i = 1; i < store->stops.count; i++) varies |= values[i] != values[0];
     if (varies) return mt_var_store_add_row(store, values, index);
     *index = MT_NO_VARIATION;
     return MT_OK;
@@ -100,19 +100,17 @@ mt_status mt_var_store_add(mt_var_store *store, const int32_t *values, uint32_t 
 
 /* ---- the table ----------------------------------------------------------------------------------------- */
 
-static int stop_at(const mt_var_store *store, int stop) {
-    return (int)(0x4000 * (double)stop / (store->stop_count - 1) + 0.5); /* 2.14 */
-}
-
 /* A VariationRegionList of one axis. */
 static void write_regions(const mt_var_store *store, mt_table *table) {
-    int last = store->stop_count - 1;
+    const mt_stops *stops = &store->stops;
+    int last = stops->count - 1;
     mt_table_16(table, 1);
     mt_table_16(table, last);
     for (int stop = 1; stop <= last; stop++) {
-        mt_table_16(table, stop_at(store, stop - 1));
-        mt_table_16(table, stop_at(store, stop));
-        mt_table_16(table, stop_at(store, stop < last ? stop + 1 : last));
+        int font = mt_stops_font(stops, stop);
+        mt_table_16(table, stops->at[font > 0 ? font - 1 : 0]);
+        mt_table_16(table, stops->at[font]);
+        mt_table_16(table, stops->at[font < last ? font + 1 : last]);
     }
 }
 
@@ -138,7 +136,7 @@ static void write_data(const mt_var_data *data, mt_table *table) {
 
 mt_status mt_var_store_write(const mt_var_store *store, mt_table *table) {
     size_t regions = 8 + 4 * (size_t)store->data_count,
-           at = regions + 4 + 6 * (size_t)(store->stop_count - 1);
+           at = regions + 4 + 6 * (size_t)(store->stops.count - 1);
     size_t length = at;
     for (int i = 0; i < store->data_count; i++) length += data_size(&store->data[i]);
     if (length > INT32_MAX) return MT_TOO_LARGE;

@@ -1,14 +1,13 @@
 /* An ItemVariationStore in the making (OpenType spec, "OpenType Font Variations Common Table Formats").
  *
- * A varying font has its sources as stops on one axis, evenly from 0 to 1; the first is the default. What some value is
- * at each stop is a row, and between two stops it runs straight: region r (0 …) peaks at stop r + 1 and ends at the
- * stops beside it, so that a row's delta there is its value at that stop less the first. */
+ * A varying font has its sources as stops on one axis (stops.h); the first stop is the default. What some value is at each stop is a
+ * row, and between two neighbours on the axis it runs straight: region r (0 …) peaks at stop r + 1 and ends at the fonts beside it,
+ * so that a row's delta there is its value at that stop less the first. */
 #pragma once
 
 #include "sfnt/intern.h"
+#include "sfnt/stops.h"
 #include "sfnt/table.h"
-
-enum { MT_STOPS_MAX = 64 };
 
 /* The index of what is the same at all stops: it needs no row. Other indices have the number of an
  * ItemVariationData in the upper 16 bits, and of a row in it in the lower. */
@@ -23,7 +22,7 @@ typedef struct mt_var_data {
 } mt_var_data;
 
 typedef struct mt_var_store {
-    int stop_count;
+    mt_stops stops;
     mt_interned rows;  /* the deltas of each region; each row once */
     uint32_t *indices; /* of each row */
     int index_room;
@@ -31,8 +30,8 @@ typedef struct mt_var_store {
     mt_var_data *data;
 } mt_var_store;
 
-/* An empty store of 2 … MT_STOPS_MAX stops. Whatever becomes of it, it is for mt_var_store_free. */
-mt_var_store mt_var_store_make(int stop_count);
+/* An empty store. Whatever becomes of it, it is for mt_var_store_free. */
+mt_var_store mt_var_store_make(const mt_stops *stops);
 void mt_var_store_free(mt_var_store *store);
 
 /* The index of a row of values, one a stop, each within ±2³⁰; of rows that differ by a constant it is the same.

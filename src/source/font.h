@@ -43,6 +43,12 @@ void mt_font_names(const mt_font *font, mt_names *names);
 int64_t mt_font_modified(const mt_font *font);   /* head's time: seconds since 1904; 0 when there is none */
 uint16_t mt_font_embedding(const mt_font *font); /* OS/2 fsType */
 
+/* Where the font says that it stands on a registered axis: a variable one where it was opened, any other by OS/2 (usWeightClass for
+ * wght, usWidthClass as a percentage for wdth), by post (slnt), or upright at 0 and italic at 1 (ital). False where it does not say. */
+bool mt_font_stop(const mt_font *font, uint32_t tag, double *value);
+/* Whether it says that its letters lean: OS/2, or head. */
+bool mt_font_is_italic(const mt_font *font);
+
 /* A table of an sfnt font, out of any container, in the arena; no bytes where the font has none of that tag or is no
  * sfnt. Not for two threads at once. MT_NO_MEMORY. */
 mt_status mt_font_table(const mt_font *font, uint32_t tag, mt_arena *arena, mt_bytes *table);

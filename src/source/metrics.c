@@ -169,8 +169,9 @@ static double guess_weight(const mt_font *font) {
 
 /* The width class of a 'wdth' coordinate, a percentage (OpenType spec, "OS/2": usWidthClass), between the
  * classes too. */
+static const double percents[] = {50, 62.5, 75, 87.5, 100, 112.5, 125, 150, 200};
+
 double mt_width_class(double percent) {
-    static const double percents[] = {50, 62.5, 75, 87.5, 100, 112.5, 125, 150, 200};
     int step = 0;
     while (step < 7 && percent > percents[step + 1]) step++;
     double share = (percent - percents[step]) / (percents[step + 1] - percents[step]);
@@ -227,4 +228,31 @@ int64_t mt_font_modified(const mt_font *font) {
 
 uint16_t mt_font_embedding(const mt_font *font) {
     return font->embedding;
+}
+
+/* ---- where the font stands ----------------------------------------------------------------------------- */
+
+bool mt_font_is_italic(const mt_font *font) {
+    return (font->face->style_flags & FT_STYLE_FLAG_ITALIC) != 0;
+}
+
+/* A class of OS/2, within what it may be. */
+static bool read_class(const mt_font *font, bool width, double *value) {
+    const TT_OS2 *os2 = FT_Get_Sfnt_Table(font->face, FT_SFNT_OS2);
+    if (!os2 || os2->version == 0xFFFF) return false;
+    int found = width ? os2->usWidthClass : os2->usWeightClass;
+    if (found < 1 || found > (width ? 9 : 1000)) return false;
+    *value = width ? percents[found - 1] : found;
+    return true;
+}
+
+bool mt_font_stop(const mt_font *font, uint32_t tag, double *value) {
+    if (mt_font_axis(font, tag, value)) return true;
+    switch (tag) {
+    case MT_TAG('w', 'g', 'h', 't'): return read_class(font, false, value);
+    case MT_TAG('w', 'd', 't', 'h'): return read_class(font, true, value);
+    case MT_TAG('s', 'l', 'n', 't'): return *value = font->metrics.italic_angle, true;
+    case MT_TAG('i', 't', 'a', 'l'): return *value = mt_font_is_italic(font), true;
+    default: return false;
+    }
 }

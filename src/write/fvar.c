@@ -1,4 +1,4 @@
-/* The axis of a variable font: 'fvar', with its named places, 'STAT', where each has the same name, and 'avar', how far the
+/* The axis of a variable font: 'fvar', with its named places, 'STAT', where each has the same name, or the axis' part of it, and 'avar', how far the
  * font has got where. */
 #include "write/tables.h"
 
@@ -12,7 +12,7 @@ enum { AXIS_RECORD = 20, INSTANCE_RECORD = 10 };
 static void write_axis(const mt_axis *axis, mt_table *table) {
     mt_table_32(table, axis->tag);
     mt_table_fixed(table, fmin(axis->from, axis->to));
-    mt_table_fixed(table, axis->from); /* where the font stands without a setting */
+    mt_table_fixed(table, axis->home); /* where the font stands without a setting */
     mt_table_fixed(table, fmax(axis->from, axis->to));
     mt_table_16(table, 0); /* flags: users see the axis */
     mt_table_16(table, MT_NAME_AXIS);
@@ -47,23 +47,38 @@ static bool is_linked(const mt_named_place *place) {
     return place->linked > place->value;
 }
 
+/* The upright one's link is the italic one. */
+static const mt_named_place slopes[] = {
+    [MT_SLOPE_UPRIGHT] = {.value = 0, .elided = true, .linked = 1},
+    [MT_SLOPE_ITALIC] = {.value = 1, .linked = 1},
+};
+
 static void write_value_offsets(const mt_axis_data *variation, mt_table *table) {
-    int at = 2 * variation->named_count;
+    bool sloped = variation->slope != MT_SLOPE_UNTOLD;
+    int at = 2 * (variation->named_count + sloped);
     for (int i = 0; i < variation->named_count; i++) {
         mt_table_16(table, at);
         at += is_linked(&variation->named[i]) ? LINKED_VALUE : NAMED_VALUE;
     }
+    if (sloped) mt_table_16(table, at);
 }
 
-static void write_value(const mt_named_place *place, int name, mt_table *table) {
+static void write_value(const mt_named_place *place, int axis, int name, mt_table *table) {
     enum { ELIDABLE = 2 };
-    mt_table_16(table,
-                is_linked(place) ? 3 : 1); /* format: a name of one value, with the bold style's or without */
-    mt_table_16(table, 0);                 /* axisIndex */
+    mt_table_16(table, is_linked(place)
+                           ? 3
+                           : 1); /* format: a name of one value, with the linked style's or without */
+    mt_table_16(table, axis);
     mt_table_16(table, place->elided ? ELIDABLE : 0);
     mt_table_16(table, name);
     mt_table_fixed(table, place->value);
     if (is_linked(place)) mt_table_fixed(table, place->linked);
+}
+
+static void write_design_axis(uint32_t tag, int name, int ordering, mt_table *table) {
+    mt_table_32(table, tag);
+    mt_table_16(table, name);
+    mt_table_16(table, ordering); /* axisOrdering */
 }
 
 void mt_write_stat(const mt_font_data *data, const mt_summary *summary, mt_table *table) {
@@ -73,17 +88,19 @@ void mt_write_stat(const mt_font_data *data, const mt_summary *summary, mt_table
     if (!variation) return;
     mt_table_32(table, 0x00010001);
     mt_table_16(table, DESIGN_AXIS);
-    mt_table_16(table, 1); /* designAxisCount */
+    bool sloped = variation->slope != MT_SLOPE_UNTOLD;
+    int names = MT_NAME_PLACES, slope_names = mt_name_slope(variation);
+    if (variation->slope == MT_SLOPE_ITALIC) names = slope_names + MT_SLOPE_NAMES;
+    mt_table_16(table, 1 + sloped); /* designAxisCount */
     mt_table_32(table, HEADER);
-    mt_table_16(table, variation->named_count);
-    mt_table_32(table, HEADER + DESIGN_AXIS); /* where the offsets of the axis values are */
-    mt_table_16(table, MT_NAME_STYLE);        /* elidedFallbackNameID */
-    mt_table_32(table, variation->axis.tag);
-    mt_table_16(table, MT_NAME_AXIS);
-    mt_table_16(table, 0); /* axisOrdering */
+    mt_table_16(table, variation->named_count + sloped);
+    mt_table_32(table, HEADER + DESIGN_AXIS * (1 + sloped)); /* where the offsets of the axis values are */
+    mt_table_16(table, MT_NAME_STYLE);                       /* elidedFallbackNameID */
+    write_design_axis(variation->axis.tag, MT_NAME_AXIS, 0, table);
+    if (sloped) write_design_axis(MT_TAG('i', 't', 'a', 'l'), slope_names, 1, table);
     write_value_offsets(variation, table);
-    for (int i = 0; i < variation->named_count; i++)
-        write_value(&variation->named[i], MT_NAME_PLACES + i, table);
+    for (int i = 0; i < variation->named_count; i++) write_value(&variation->named[i], 0, names + i, table);
+    if (sloped) write_value(&slopes[variation->slope], 1, slope_names + 1, table);
 }
 
 /* ---- avar ---------------------------------------------------------------------------------------------- */

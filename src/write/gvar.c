@@ -2,7 +2,8 @@
  *
  * A glyph has a tuple for each place at which it is told where its points are. The tuple counts fully there, not at all at the
  * place before and at the one after, and in between by how near it is: so that between two places each point moves on a
- * straight line. A place that several glyphs have is a shared tuple; it is stored once. */
+ * straight line. A place that several glyphs have is a shared tuple; it is stored once. Places on
+ * either side of 0, where the font stands without a setting, are told apart by it: no tuple counts on both. */
 #include <string.h>
 
 #include "sfnt/axis.h"
@@ -26,8 +27,9 @@ enum {
 typedef struct mt_gvar_writer {
     const mt_font_data *data;
     int shared_count;
-    int shared[SHARED_TUPLES_MAX];  /* places, ascending */
-    int index_of[MT_PLACE_ONE + 1]; /* of each place among the shared ones; -1 where it is none */
+    int shared[SHARED_TUPLES_MAX]; /* places, ascending */
+    int index_of[2 * MT_PLACE_ONE +
+                 1]; /* of each place, from -MT_PLACE_ONE on, among the shared ones; -1 where it is none */
     uint32_t *offsets;
     mt_table glyphs;
     mt_arena scratch;
@@ -37,7 +39,7 @@ typedef struct mt_gvar_writer {
 
 /* A glyph's tuple in the making: its points are of `points`, its deltas of `deltas`. */
 typedef struct mt_tuple {
-    int before, place, after; /* `after` is `place` at the end of the axis */
+    int before, place, after; /* `place` itself at an end of the axis */
     bool *told;
     mt_table points, deltas;
 } mt_tuple;
@@ -132,6 +134,15 @@ static bool moves_at_all(const mt_move *moves, int count) {
     return false;
 }
 
+/* The place beside that number `i`, at its list's end its own; 0 where that lies between. */
+static int neighbour(const mt_glyph_path *path, int i, int step) {
+    int other = i + step, place = path->places[i];
+    bool listed = other >= 0 && other < path->place_count;
+    bool inward = (place > 0) == (step < 0);
+    if (inward && (!listed || (path->places[other] > 0) != (place > 0))) return 0;
+    return listed ? path->places[other] : place;
+}
+
 /* ---- one glyph ----------------------------------------------------------------------------------------- */
 
 typedef struct mt_tuples {
@@ -151,8 +162,8 @@ static mt_status make_tuples(mt_gvar_writer *writer, const mt_glyf *glyph, const
         if (!moves_at_all(moves, point_count(glyph))) continue;
         mt_tuple *tuple = &tuples->list[tuples->count++];
         tuple->place = path->places[i];
-        tuple->before = i ? path->places[i - 1] : 0;
-        tuple->after = i + 1 < path->place_count ? path->places[i + 1] : tuple->place;
+        tuple->before = neighbour(path, i, -1);
+        tuple->after = neighbour(path, i, 1);
         status = make_tuple(writer, glyph, moves, tuple);
         if (status != MT_OK) return status;
     }
@@ -179,11 +190,12 @@ static const mt_tuple *find_shared(const mt_tuples *tuples) {
 
 /* A region that begins at 0 and ends where it is full is what a reader takes without being told. */
 static bool is_intermediate(const mt_tuple *tuple) {
-    return tuple->before != 0 || tuple->after != tuple->place;
+    int inner = tuple->place > 0 ? tuple->before : tuple->after, outer = tuple->before + tuple->after - inner;
+    return inner != 0 || outer != tuple->place;
 }
 
 static void write_header(const mt_gvar_writer *writer, const mt_tuple *tuple, bool shared, mt_table *table) {
-    int index = writer->index_of[tuple->place];
+    int index = writer->index_of[tuple->place + MT_PLACE_ONE];
     size_t length = tuple->deltas.length + (shared ? 0 : tuple->points.length);
     mt_table_16(table, (int)length);
     mt_table_16(table, (index < 0 ? EMBEDDED_PEAK : index) | (shared ? 0 : PRIVATE_POINTS) |
@@ -240,12 +252,12 @@ static void share_places(mt_gvar_writer *writer) {
     int *uses = writer->index_of; /* counted here first */
     for (int i = 0; i < writer->data->glyph_count; i++) {
         const mt_glyph_path *path = &writer->data->variation->paths[i];
-        for (int k = 0; k < path->place_count; k++) uses[path->places[k]]++;
+        for (int k = 0; k < path->place_count; k++) uses[path->places[k] + MT_PLACE_ONE]++;
     }
-    for (int place = 0; place <= MT_PLACE_ONE; place++) {
-        bool shared = uses[place] > 1 && writer->shared_count < SHARED_TUPLES_MAX;
-        writer->index_of[place] = shared ? writer->shared_count : -1;
-        if (shared) writer->shared[writer->shared_count++] = place;
+    for (int i = 0; i <= 2 * MT_PLACE_ONE; i++) {
+        bool shared = uses[i] > 1 && writer->shared_count < SHARED_TUPLES_MAX;
+        writer->index_of[i] = shared ? writer->shared_count : -1;
+        if (shared) writer->shared[writer->shared_count++] = i - MT_PLACE_ONE;
     }
 }
 

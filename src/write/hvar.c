@@ -4,8 +4,8 @@
 #include "write/varying.h"
 
 typedef struct mt_advances {
-    mt_glyf *const *stops;
-    int stop_count, glyph_count;
+    mt_glyf *const *glyphs; /* at each stop */
+    int glyph_count;
     bool vertical;
     mt_var_store store;
     uint32_t *indices; /* of each glyph's row */
@@ -15,8 +15,8 @@ static mt_status find_rows(mt_advances *advances) {
     mt_status status = MT_OK;
     for (int i = 0; i < advances->glyph_count && status == MT_OK; i++) {
         int32_t values[MT_STOPS_MAX];
-        for (int k = 0; k < advances->stop_count; k++) {
-            const mt_glyf *glyph = &advances->stops[k][i];
+        for (int k = 0; k < advances->store.stops.count; k++) {
+            const mt_glyf *glyph = &advances->glyphs[k][i];
             values[k] = advances->vertical ? glyph->height : glyph->advance;
         }
         status = mt_var_store_add_row(&advances->store, values, &advances->indices[i]);
@@ -39,9 +39,9 @@ static mt_status write_table(const mt_advances *advances, mt_table *table) {
     return mt_var_store_write(&advances->store, table);
 }
 
-static mt_status write_advances(mt_glyf *const *stops, int stop_count, int glyph_count, bool vertical,
+static mt_status write_advances(mt_glyf *const *glyphs, const mt_stops *stops, int glyph_count, bool vertical,
                                 mt_arena *arena, mt_bytes *bytes) {
-    mt_advances advances = {stops, stop_count, glyph_count, vertical, mt_var_store_make(stop_count), NULL};
+    mt_advances advances = {glyphs, glyph_count, vertical, mt_var_store_make(stops), NULL};
     mt_table table = {0};
     advances.indices = mt_new((size_t)glyph_count, sizeof *advances.indices);
     mt_status status = advances.indices ? find_rows(&advances) : MT_NO_MEMORY;
@@ -53,12 +53,12 @@ static mt_status write_advances(mt_glyf *const *stops, int stop_count, int glyph
     return status;
 }
 
-mt_status mt_hvar_write(mt_glyf *const *stops, int stop_count, int glyph_count, mt_arena *arena,
+mt_status mt_hvar_write(mt_glyf *const *glyphs, const mt_stops *stops, int glyph_count, mt_arena *arena,
                         mt_bytes *hvar) {
-    return write_advances(stops, stop_count, glyph_count, false, arena, hvar);
+    return write_advances(glyphs, stops, glyph_count, false, arena, hvar);
 }
 
-mt_status mt_vvar_write(mt_glyf *const *stops, int stop_count, int glyph_count, mt_arena *arena,
+mt_status mt_vvar_write(mt_glyf *const *glyphs, const mt_stops *stops, int glyph_count, mt_arena *arena,
                         mt_bytes *vvar) {
-    return write_advances(stops, stop_count, glyph_count, true, arena, vvar);
+    return write_advances(glyphs, stops, glyph_count, true, arena, vvar);
 }

@@ -73,14 +73,14 @@ static int32_t figure_of(const mt_metrics *metrics, const mt_figure *figure) {
 /* ---- the table ----------------------------------------------------------------------------------------- */
 
 /* Writes a record of each figure that varies, and counts them. */
-static mt_status write_records(const mt_metrics *stops, int stop_count, mt_var_store *store,
-                               mt_table *records, int *count) {
+static mt_status write_records(const mt_metrics *metrics, mt_var_store *store, mt_table *records,
+                               int *count) {
     *count = 0;
     for (int i = 0; i < FIGURE_COUNT; i++) {
         int32_t values[MT_STOPS_MAX];
         uint32_t index;
-        if (figures[i].vertical && !stops[0].vertical) continue;
-        for (int k = 0; k < stop_count; k++) values[k] = figure_of(&stops[k], &figures[i]);
+        if (figures[i].vertical && !metrics[0].vertical) continue;
+        for (int k = 0; k < store->stops.count; k++) values[k] = figure_of(&metrics[k], &figures[i]);
         mt_status status = mt_var_store_add(store, values, &index);
         if (status != MT_OK) return status;
         if (index == MT_NO_VARIATION) continue;
@@ -103,12 +103,12 @@ static mt_status write_table(const mt_var_store *store, const mt_table *records,
     return mt_var_store_write(store, table);
 }
 
-mt_status mt_mvar_write(const mt_metrics *stops, int stop_count, mt_arena *arena, mt_bytes *mvar) {
-    mt_var_store store = mt_var_store_make(stop_count);
+mt_status mt_mvar_write(const mt_metrics *metrics, const mt_stops *stops, mt_arena *arena, mt_bytes *mvar) {
+    mt_var_store store = mt_var_store_make(stops);
     mt_table records = {0}, table = {0};
     mt_bytes made = {0};
     int count;
-    mt_status status = write_records(stops, stop_count, &store, &records, &count);
+    mt_status status = write_records(metrics, &store, &records, &count);
     if (status == MT_OK && count) status = write_table(&store, &records, count, &table);
     if (status == MT_OK && count) status = mt_table_keep(&table, arena, &made);
     mt_table_free(&records);

@@ -44,19 +44,37 @@ static void add_name(int id, const char *text, mt_naming *naming) {
 
 /* ---- the axis ------------------------------------------------------------------------------------------ */
 
+/* What 'STAT' says of slope, and of the places without it. */
+static void add_slope_names(const mt_axis_data *variation, mt_naming *naming) {
+    int id = mt_name_slope(variation);
+    bool italic = variation->slope == MT_SLOPE_ITALIC;
+    add_name(id++, "Italic", naming);
+    add_name(id++, italic ? "Italic" : "Roman", naming);
+    for (int i = 0; italic && i < variation->named_count; i++)
+        add_name(id + i, variation->named[i].part, naming);
+}
+
+/* Two files of a family have not the same beginning of PostScript names. */
+static void add_prefix(const mt_font_data *data, mt_naming *naming) {
+    char name[MT_POSTSCRIPT_NAME_ROOM];
+    mt_postscript_prefix(data->family, name);
+    if (data->variation->slope == MT_SLOPE_ITALIC) strcat(name, "Italic"); /* a place's own name is longer */
+    add_name(MT_NAME_VARIATIONS_PREFIX, name, naming);
+}
+
 /* The PostScript names of the places stand behind their names. */
 static void add_axis_names(const mt_font_data *data, mt_naming *naming) {
     const mt_axis_data *variation = data->variation;
     char name[MT_POSTSCRIPT_NAME_ROOM];
     int count = variation->named_count;
-    mt_postscript_prefix(data->family, name);
-    add_name(MT_NAME_VARIATIONS_PREFIX, name, naming);
+    add_prefix(data, naming);
     add_name(MT_NAME_AXIS, variation->name, naming);
     for (int i = 0; i < count; i++) add_name(MT_NAME_PLACES + i, variation->named[i].name, naming);
     for (int i = 0; i < count; i++) {
         mt_postscript_place_name(data->family, variation->named[i].name, name);
         add_name(MT_NAME_PLACES + count + i, name, naming);
     }
+    if (variation->slope != MT_SLOPE_UNTOLD) add_slope_names(variation, naming);
 }
 
 /* ---- the table ----------------------------------------------------------------------------------------- */

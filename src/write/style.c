@@ -89,3 +89,16 @@ mt_style mt_style_read(const char *name) {
     if (!style.weight && (style.width || style.italic)) style.weight = 400;
     return style;
 }
+
+void mt_style_drop_slope(const char *name, char *upright) {
+    char word[WORD_ROOM];
+    size_t end, length = 0;
+    for (size_t at = skip_blanks(name, 0); name[at]; at = skip_blanks(name, end)) {
+        end = read_word(name, at, word);
+        if (FIND(slopes, word)) continue;
+        if (length) upright[length++] = ' ';
+        memcpy(upright + length, name + at, end - at);
+        length += end - at;
+    }
+    upright[length] = '\0';
+}

@@ -20,3 +20,6 @@ typedef struct mt_style {
  * before the word that they belong to. A style that has no word of a weight, but one of a width or slope, is of weight
  * 400. */
 mt_style mt_style_read(const char *name);
+
+/* Writes the name without the words of its slope; "" where that is all of it. `upright` has room for the name. */
+void mt_style_drop_slope(const char *name, char *upright);

@@ -182,7 +182,7 @@ class Axis(Test):
             self.assertIn(f'<integer>{weight}</integer>', info.partition('WeightClass')[2][:40])
 
     def test_usage(self):
-        for axis in ('wght', 'wght=400', 'wght=400..', 'wght=..900', 'wght=400..400', 'wght=0..900', 'wght=400..1001', 'foob=0..1',
+        for axis in ('wgth', 'wght=400', 'wght=400..', 'wght=..900', 'wght=400..400', 'wght=0..900', 'wght=400..1001', 'foob=0..1',
                      'WIDE=0..', 'ital=0..2', 'A=0..1', 'TOOLONG=0..1', 'wght=400...900', '1ABC=0..1', 'WIDE=0..99999', ''):
             self.refused(2, 'variable', SANS, cli.SANS_BOLD, '--axis', axis, '-o', 'x.ttf', says=['--axis'])
         self.refused(2, 'blend', SANS, cli.SANS_BOLD, '--axis', 'wght=1..2', '-o', 'x.ttf', says=['--axis'])

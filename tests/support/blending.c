@@ -124,7 +124,8 @@ static mt_bytes hvar_of(const mt_test_blend *blend) {
         assert_non_null(ends[s]);
         for (int i = 0; i < count; i++) ends[s][i].advance = advances[i];
     }
-    mt_assert_ok(mt_hvar_write(ends, 2, count, blend->arena, &hvar));
+    const mt_stops stops = mt_stops_even(2);
+    mt_assert_ok(mt_hvar_write(ends, &stops, count, blend->arena, &hvar));
     return hvar;
 }
 

@@ -30,7 +30,8 @@ mt_bytes mt_test_fvar(mt_arena *arena) {
 
 mt_status mt_test_write_varying(const mt_positions *positions, int font_count, mt_bytes plain,
                                 mt_arena *arena, mt_bytes *gpos, mt_bytes *gdef) {
-    mt_var_store store = mt_var_store_make(font_count);
+    const mt_stops stops = mt_stops_even(font_count);
+    mt_var_store store = mt_var_store_make(&stops);
     mt_status status = mt_positions_write_varying(positions, &store, arena, gpos);
     if (status == MT_OK) status = mt_gdef_vary(plain, &store, arena, gdef);
     mt_var_store_free(&store);

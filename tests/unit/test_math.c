@@ -216,8 +216,9 @@ static bool run_failing(long first, bool all_after) {
     mt_allocation_watch();
     mt_assert_ok(mt_font_open(path_a, &a));
     mt_assert_ok(mt_font_open(path_b, &b));
-    mt_var_store store = mt_var_store_make(2);
-    mt_places places = mt_places_of_fonts(2, at, &store);
+    const mt_stops stops = mt_stops_even(2);
+    mt_var_store store = mt_var_store_make(&stops);
+    mt_places places = mt_places_of_fonts(at, &store);
     long before = mt_allocation_requests();
     mt_allocation_fail(first, all_after);
     mt_status status = blend(a, b, &places, &made, &bytes);

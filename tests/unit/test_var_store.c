@@ -44,6 +44,11 @@ static double delta_at(mt_bytes gdef, uint32_t index, double place) {
     return mt_gdef_delta(&variations, (mt_bytes){device, sizeof device});
 }
 
+static mt_var_store even_store(int stop_count) {
+    const mt_stops stops = mt_stops_even(stop_count);
+    return mt_var_store_make(&stops);
+}
+
 /* Where a stop is, as 2.14 has it. */
 static double stop_at(int stop, int stop_count) {
     return round(0x4000 * (double)stop / (stop_count - 1)) / 0x4000;
@@ -76,7 +81,7 @@ static void rows_are_read_back(void **state) {
     static const int32_t spans[] = {100, 10000, 60000};
     mt_random random = mt_random_case(0);
     for (int stops = 2; stops <= 7; stops++) {
-        mt_var_store store = mt_var_store_make(stops);
+        mt_var_store store = even_store(stops);
         int32_t values[ROWS][7];
         uint32_t indices[ROWS];
         for (int i = 0; i < ROWS; i++) {
@@ -102,7 +107,7 @@ static void rows_are_read_back(void **state) {
 
 static void rows_that_differ_by_a_constant_are_one(void **state) {
     (void)state;
-    mt_var_store store = mt_var_store_make(3);
+    mt_var_store store = even_store(3);
     uint32_t first = add(&store, (int32_t[]){5, 10, 0});
     assert_int_equal(add(&store, (int32_t[]){-20, -15, -25}), first);
     assert_int_not_equal(add(&store, (int32_t[]){5, 10, 1}), first);
@@ -113,7 +118,7 @@ static void rows_that_differ_by_a_constant_are_one(void **state) {
 
 static void what_does_not_vary_needs_no_row(void **state) {
     (void)state;
-    mt_var_store store = mt_var_store_make(3);
+    mt_var_store store = even_store(3);
     uint32_t index;
     assert_int_equal(add(&store, (int32_t[]){7, 7, 7}), MT_NO_VARIATION);
     assert_int_equal(store.data_count, 0);
@@ -135,7 +140,7 @@ static void deltas_take_what_they_need(void **state) {
         {{-1, 32766, -32769}, 2, 3}, {{0, 32768, 1}, 4, 3}, {{32767, 32767, -32768}, 4, 2},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        mt_var_store store = mt_var_store_make(3);
+        mt_var_store store = even_store(3);
         uint32_t index = add(&store, cases[i].values);
         assert_int_equal(store.data[0].size, cases[i].size);
         assert_int_equal(store.data[0].regions, cases[i].regions);
@@ -150,7 +155,7 @@ static void deltas_take_what_they_need(void **state) {
 static void rows_go_on_in_another_subtable(void **state) {
     (void)state;
     enum { ROWS = 70000 };
-    mt_var_store store = mt_var_store_make(2);
+    mt_var_store store = even_store(2);
     uint32_t indices[2] = {0, 0};
     for (int i = 0; i < ROWS; i++) indices[i == ROWS - 1] = add(&store, (int32_t[]){0, 40000 + i});
     assert_int_equal(store.data_count, 2);
@@ -164,7 +169,7 @@ static void rows_go_on_in_another_subtable(void **state) {
 
 static void most_stops_that_can_be(void **state) {
     (void)state;
-    mt_var_store store = mt_var_store_make(MT_STOPS_MAX);
+    mt_var_store store = even_store(MT_STOPS_MAX);
     int32_t values[MT_STOPS_MAX] = {0};
     for (int i = 0; i < MT_STOPS_MAX; i++) values[i] = i * i;
     uint32_t index = add(&store, values);
@@ -228,7 +233,7 @@ static void no_memory_is_told(void **state) {
     bool failed = true;
     for (long first = 0; failed; first++) {
         mt_allocation_watch();
-        mt_var_store store = mt_var_store_make(3);
+        mt_var_store store = even_store(3);
         mt_table table = {0};
         mt_allocation_fail(first, false);
         mt_status status = fill(&store, &table);

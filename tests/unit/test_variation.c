@@ -117,14 +117,15 @@ static void check_font(const mt_font_data *data) {
 
 static void points_are_where_they_were_told_to_be(void **state) {
     (void)state;
-    static const mt_named_place named[] = {{0, "First", false, 0}, {100, "Last", false, 100}};
+    static const mt_named_place named[] = {{0, "First", false, 0, "First"},
+                                           {100, "Last", false, 100, "Last"}};
     for (int n = 0; n < mt_test_cases(40); n++) {
         mt_random random = mt_random_case(n);
         mt_font_data data = mt_sample_font(&arena);
         mt_glyph_path *paths = room((size_t)data.glyph_count, sizeof *paths);
         data.glyphs[1] = large_glyph(&random, mt_random_between(&random, 3, 700));
         for (int i = 0; i < data.glyph_count; i++) paths[i] = random_path(&random, &data.glyphs[i]);
-        mt_axis_data variation = {MT_AXIS_DEFAULT, "Morph", 2, named, paths, {0}};
+        mt_axis_data variation = {MT_AXIS_DEFAULT, "Morph", 2, named, paths, {0}, MT_SLOPE_UNTOLD};
         data.variation = &variation;
         check_font(&data);
         mt_arena_reset(&arena);
@@ -135,7 +136,8 @@ static void points_are_where_they_were_told_to_be(void **state) {
 static void points_far_apart_are_told(void **state) {
     (void)state;
     enum { CONTOURS = 300, POINTS = 3 * CONTOURS };
-    static const mt_named_place named[] = {{0, "First", false, 0}, {100, "Last", false, 100}};
+    static const mt_named_place named[] = {{0, "First", false, 0, "First"},
+                                           {100, "Last", false, 100, "Last"}};
     static const int end[] = {MT_PLACE_ONE};
     mt_random random = mt_random_case(0);
     mt_font_data data = mt_sample_font(&arena);
@@ -153,7 +155,7 @@ static void points_far_apart_are_told(void **state) {
         at[0][i].y = (int16_t)(at[0][i].y - 20);
     }
     paths[1] = (mt_glyph_path){1, end, at};
-    mt_axis_data variation = {MT_AXIS_DEFAULT, "Morph", 2, named, paths, {0}};
+    mt_axis_data variation = {MT_AXIS_DEFAULT, "Morph", 2, named, paths, {0}, MT_SLOPE_UNTOLD};
     data.variation = &variation;
     check_font(&data);
 }

@@ -97,9 +97,10 @@ static void assemble(varying *made) {
                          .style = "Regular",
                          .unique_id = "varying"};
     mt_bytes hvar, vvar, mvar;
-    mt_assert_ok(mt_hvar_write(made->stops, made->stop_count, GLYPHS, &arena, &hvar));
-    mt_assert_ok(mt_vvar_write(made->stops, made->stop_count, GLYPHS, &arena, &vvar));
-    mt_assert_ok(mt_mvar_write(made->metrics, made->stop_count, &arena, &mvar));
+    const mt_stops stops = mt_stops_even(made->stop_count);
+    mt_assert_ok(mt_hvar_write(made->stops, &stops, GLYPHS, &arena, &hvar));
+    mt_assert_ok(mt_vvar_write(made->stops, &stops, GLYPHS, &arena, &vvar));
+    mt_assert_ok(mt_mvar_write(made->metrics, &stops, &arena, &mvar));
     add(&data, MT_TAG('H', 'V', 'A', 'R'), hvar);
     add(&data, MT_TAG('V', 'V', 'A', 'R'), vvar);
     add(&data, MT_TAG('M', 'V', 'A', 'R'), mvar);
@@ -192,9 +193,10 @@ static void tables_are_small(void **state) {
     (void)state;
     mt_random random = mt_random_case(0);
     mt_glyf *same = random_stop(&random, NULL);
-    mt_glyf *stops[] = {same, same};
+    mt_glyf *glyphs[] = {same, same};
+    const mt_stops stops = mt_stops_even(2);
     mt_bytes hvar;
-    mt_assert_ok(mt_hvar_write(stops, 2, GLYPHS, &arena, &hvar));
+    mt_assert_ok(mt_hvar_write(glyphs, &stops, GLYPHS, &arena, &hvar));
     assert_int_equal(hvar.length, 20 + 5 + (8 + 4 + 4 + 6 + 8 + 1));
 }
 
@@ -283,15 +285,16 @@ static void lines_are_those_in_use(void **state) {
 
 static void figures_that_stay_are_left_out(void **state) {
     (void)state;
-    mt_metrics stops[2] = {{.x_height = 500, .cap_height = 700}, {.x_height = 500.3, .cap_height = 700}};
+    const mt_stops stops = mt_stops_even(2);
+    mt_metrics metrics[2] = {{.x_height = 500, .cap_height = 700}, {.x_height = 500.3, .cap_height = 700}};
     mt_bytes mvar;
-    mt_assert_ok(mt_mvar_write(stops, 2, &arena, &mvar));
+    mt_assert_ok(mt_mvar_write(metrics, &stops, &arena, &mvar));
     assert_int_equal(mvar.length, 0);
-    stops[1].vhea_ascender = 400; /* of a font without vertical metrics */
-    mt_assert_ok(mt_mvar_write(stops, 2, &arena, &mvar));
+    metrics[1].vhea_ascender = 400; /* of a font without vertical metrics */
+    mt_assert_ok(mt_mvar_write(metrics, &stops, &arena, &mvar));
     assert_int_equal(mvar.length, 0);
-    stops[1].x_height = 501;
-    mt_assert_ok(mt_mvar_write(stops, 2, &arena, &mvar));
+    metrics[1].x_height = 501;
+    mt_assert_ok(mt_mvar_write(metrics, &stops, &arena, &mvar));
     assert_int_equal(mvar.bytes[9], 1);
     assert_memory_equal(mvar.bytes + 12, "xhgt", 4);
 }
@@ -301,14 +304,15 @@ static void figures_that_stay_are_left_out(void **state) {
 static void no_memory_is_told(void **state) {
     (void)state;
     varying font = random_font(3);
+    const mt_stops stops = mt_stops_even(3);
     bool failed = true;
     for (long first = 0; failed; first++) {
         mt_arena made = {0};
         mt_bytes bytes;
         mt_allocation_watch();
         mt_allocation_fail(first, false);
-        mt_status status = mt_hvar_write(font.stops, 3, GLYPHS, &made, &bytes);
-        if (status == MT_OK) status = mt_mvar_write(font.metrics, 3, &made, &bytes);
+        mt_status status = mt_hvar_write(font.stops, &stops, GLYPHS, &made, &bytes);
+        if (status == MT_OK) status = mt_mvar_write(font.metrics, &stops, &made, &bytes);
         failed = mt_allocation_requests() > first;
         mt_allocation_succeed();
         mt_arena_release(&made);

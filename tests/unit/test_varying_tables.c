@@ -27,7 +27,8 @@ static mt_var_store store;
 
 static int set_up(void **state) {
     (void)state;
-    store = mt_var_store_make(STOPS);
+    const mt_stops even = mt_stops_even(STOPS);
+    store = mt_var_store_make(&even);
     return 0;
 }
 
