@@ -26,10 +26,14 @@ typedef struct inspection {
     mt_inspection what;
 } inspection;
 
-static bool is_json(const char *path) {
+static bool ends_in(const char *path, const char *extension) {
     const char *dot = strrchr(path, '.');
-    return dot && strcasecmp(dot, ".json") == 0;
+    return dot && strcasecmp(dot, extension) == 0;
 }
+
+/* How an inspection becomes bytes: as data, or as a page. */
+typedef mt_status (*inspection_made)(mt_row *row, const mt_inspection *what, uint8_t **bytes, size_t *length,
+                                     int *failed);
 
 /* Says what went wrong, at a character or glyph or, under 0, with the output or both fonts. */
 static int fail_at(const inspection *this, int failed, const char *output, mt_status status) {
@@ -53,11 +57,11 @@ static int write_picture(inspection *this) {
 }
 
 /* Into a file, or to stdout where `path` is NULL. */
-static int write_data(inspection *this, const char *path) {
+static int write_bytes(inspection *this, inspection_made make, const char *path) {
     uint8_t *bytes;
     size_t length;
     int failed;
-    mt_status status = mt_inspect_json(&this->row, &this->what, &bytes, &length, &failed);
+    mt_status status = make(&this->row, &this->what, &bytes, &length, &failed);
     if (status != MT_OK) return fail_at(this, failed, path ? path : "stdout", status);
     int outcome = DONE;
     if (path) {
@@ -72,18 +76,38 @@ static int write_data(inspection *this, const char *path) {
 
 static int write_output(inspection *this) {
     const cli_options *options = this->options;
-    if (!options->output) return write_data(this, NULL);
-    if (is_json(options->output)) return write_data(this, options->output);
-    int outcome = write_picture(this);
-    return outcome == DONE && options->json ? write_data(this, NULL) : outcome;
+    const char *output = options->output;
+    if (!output) return write_bytes(this, mt_inspect_json, NULL);
+    if (ends_in(output, ".json")) return write_bytes(this, mt_inspect_json, output);
+    int outcome =
+        ends_in(output, ".html") ? write_bytes(this, mt_inspect_page_make, output) : write_picture(this);
+    return outcome == DONE && options->json ? write_bytes(this, mt_inspect_json, NULL) : outcome;
+}
+
+/* An mt_idle_hint_noted. */
+static void say_idle(int choice, int line, void *user) {
+    const inspection *this = user;
+    char label[MT_CHOICE_LABEL_ROOM];
+    mt_choice_label(&this->what.choices[choice], label);
+    say("%s:%d: %s: the hint changes nothing", this->options->hints_file, line, label);
+}
+
+static int say_idle_hints(inspection *this) {
+    int failed;
+    if (!this->options->hints_file || this->options->quiet || this->row.font_count < 2) return DONE;
+    mt_status status = mt_inspect_idle_hints(&this->row, &this->what, say_idle, this, &failed);
+    return status == MT_OK ? DONE : fail_at(this, failed, this->options->hints_file, status);
 }
 
 static int check(const cli_options *options) {
     mt_format format;
     if (!options->output && !options->json) return misuse(options->command, "-o OUT.svg or --json is wanted");
-    if (options->output && !is_json(options->output) && mt_format_of(options->output, &format) != MT_OK)
-        return misuse(options->command, "-o %s: inspect writes .svg, .png, .pdf and .json files",
-                      options->output);
+    const char *output = options->output;
+    bool page = output && ends_in(output, ".html");
+    if (output && !page && !ends_in(output, ".json") && mt_format_of(output, &format) != MT_OK)
+        return misuse(options->command, "-o %s: inspect writes .html, .svg, .png, .pdf and .json files",
+                      output);
+    if (page && !options->fonts[1]) return misuse(options->command, "-o %s: a page wants two fonts", output);
     if (!options->text && !options->chars_file)
         return misuse(options->command, "--text TEXT or --chars FILE is wanted");
     return options->output ? output_check(options->output) : DONE;
@@ -124,6 +148,7 @@ static int run(cli_options *options) {
                                 .count = this.chosen.order.count,
                                 .size = options->size > 0 ? options->size : SIZE};
     if (outcome == DONE) outcome = write_output(&this);
+    if (outcome == DONE) outcome = say_idle_hints(&this);
     if (outcome == DONE && !options->quiet) glyph_notes_say_unblended(&this.unblended, options);
     glyph_notes_free(&this.unblended);
     mt_row_close(&this.row);
@@ -137,15 +162,18 @@ static int run(cli_options *options) {
 const cli_command inspect_command = {
     .name = "inspect",
     .summary = "components, convex pieces and links: how characters are matched",
-    .synopsis = "FONT [FONT] --text TEXT [-o OUT.svg|png|pdf|json] [--json] [OPTION...]",
+    .synopsis = "FONT [FONT] --text TEXT [-o OUT.html|svg|png|pdf|json] [--json] [OPTION...]",
     .text = "Shows the components of each character or glyph by colour, its convex pieces, and the links "
             "between the pieces of both fonts. With --json the same comes as data: on stdout, or in OUT "
-            "when that ends in .json.",
+            "when that ends in .json. A page (.html) shows two fonts' glyphs side by side with what goes "
+            "with what; a click on each makes a hint for --hints.",
     .examples = {{"How a letter is cut and matched, as a picture:",
                   "morphotype inspect A.ttf B.otf --text B -o inspect.svg"},
+                 {"A page on which hints are made by pointing:",
+                  "morphotype inspect A.ttf B.otf --text B -o inspect.html"},
                  {"The same as data:", "morphotype inspect A.ttf B.otf --text B --json"}},
     .reads = CLI_FONT_FILES,
-    .writes = "svg png pdf json",
+    .writes = "html svg png pdf json",
     .takes = "otczJP",
     .fonts_min = 1,
     .fonts_max = 2,

@@ -54,9 +54,9 @@ void mt_pair_allow(const mt_row *row, mt_arena *arena) {
     mt_arena_bound(arena, &allowance);
 }
 
-/* As mt_pair_prepare, within the arena's allowance. */
-static mt_status prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,
-                         mt_glyph_pair *pair) {
+/* As mt_pair_prepare_by, within the arena's allowance. */
+static mt_status prepare(mt_row *row, int step, uint32_t a, uint32_t b, const mt_hints *hints,
+                         mt_arena *arena, mt_glyph_pair *pair) {
     double tolerance = row->params.tolerance;
     bool alone = b == MT_NO_PARTNER;
     mt_status in_b = MT_OK;
@@ -69,20 +69,25 @@ static mt_status prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena
     pair->at_fault = in_a != MT_OK ? 0 : in_b != MT_OK ? 1 : -1;
     if (in_a != MT_OK || in_b != MT_OK || alone) return in_a != MT_OK ? in_a : in_b;
     if (leans != MT_OK) return leans;
-    mt_hints hints = mt_hint_index_find(row->hints[step], a, b);
     mt_params params = row->params;
     params.lean = row->leans[step];
-    mt_status status = mt_morph_prepare(&pair->a, &pair->b, &hints, &params, arena, &pair->morph);
+    mt_status status = mt_morph_prepare(&pair->a, &pair->b, hints, &params, arena, &pair->morph);
     if (status == MT_NO_COUNTERPART) pair->at_fault = pair->a.count > 0;
+    return status;
+}
+
+mt_status mt_pair_prepare_by(mt_row *row, int step, uint32_t a, uint32_t b, const mt_hints *hints,
+                             mt_arena *arena, mt_glyph_pair *pair) {
+    mt_pair_allow(row, arena);
+    mt_status status = mt_arena_verdict(arena, prepare(row, step, a, b, hints, arena, pair));
+    mt_arena_bound(arena, NULL);
     return status;
 }
 
 mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,
                           mt_glyph_pair *pair) {
-    mt_pair_allow(row, arena);
-    mt_status status = mt_arena_verdict(arena, prepare(row, step, a, b, arena, pair));
-    mt_arena_bound(arena, NULL);
-    return status;
+    mt_hints hints = mt_hint_index_find(b == MT_NO_PARTNER ? NULL : row->hints[step], a, b);
+    return mt_pair_prepare_by(row, step, a, b, &hints, arena, pair);
 }
 
 mt_status mt_pair_prepare_char(mt_row *row, uint32_t code_point, mt_arena *arena, mt_glyph_pair *pair) {

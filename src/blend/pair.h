@@ -40,6 +40,10 @@ void mt_pair_allow(const mt_row *row, mt_arena *arena);
 mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,
                           mt_glyph_pair *pair);
 
+/* The same by these hints in place of the row's. */
+mt_status mt_pair_prepare_by(mt_row *row, int step, uint32_t a, uint32_t b, const mt_hints *hints,
+                             mt_arena *arena, mt_glyph_pair *pair);
+
 /* The same of a character between the first two fonts, or of a row's one font. MT_NO_GLYPH when a font lacks it. */
 mt_status mt_pair_prepare_char(mt_row *row, uint32_t code_point, mt_arena *arena, mt_glyph_pair *pair);
 

@@ -140,3 +140,7 @@ mt_hints mt_hint_index_find(const mt_hint_index *index, uint32_t a, uint32_t b) 
         count++;
     return count ? (mt_hints){count, index->hints + first} : (mt_hints){0, NULL};
 }
+
+int mt_hint_index_line(const mt_hint_index *index, const mt_hint *hint) {
+    return index->keys[hint - index->hints].line;
+}

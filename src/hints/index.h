@@ -25,3 +25,6 @@ void mt_hint_index_free(mt_hint_index *index); /* NULL is fine */
 /* The hints for A's glyph `a` and B's glyph `b`, in the order of the file; they belong to the index. None
  * where `index` is NULL. */
 mt_hints mt_hint_index_find(const mt_hint_index *index, uint32_t a, uint32_t b);
+
+/* The line of the file in which one of the index's hints stands. */
+int mt_hint_index_line(const mt_hint_index *index, const mt_hint *hint);

@@ -62,3 +62,12 @@ mt_status mt_inspect_save(mt_row *row, const mt_inspection *what, const char *pa
 /* The same as data, schema in docs/guide.md; bytes for mt_bytes_free. */
 mt_status mt_inspect_json(mt_row *row, const mt_inspection *what, uint8_t **bytes, size_t *length,
                           int *failed);
+/* The same as a page of HTML on which hints are made by pointing, between the row's two fonts; glyphs without a partner are not on it.
+ * MT_NOTHING_SHARED where that leaves none. */
+mt_status mt_inspect_page_make(mt_row *row, const mt_inspection *what, uint8_t **bytes, size_t *length,
+                               int *failed);
+
+/* Calls with each hint of the row's first two fonts that changes nothing at a choice, by its index, and with the hint's line in its file. */
+typedef void (*mt_idle_hint_noted)(int choice, int line, void *user);
+mt_status mt_inspect_idle_hints(mt_row *row, const mt_inspection *what, mt_idle_hint_noted call, void *user,
+                                int *failed);

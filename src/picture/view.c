@@ -35,7 +35,7 @@ static mt_status decompose(const mt_shape *shape, mt_arena *arena, mt_side *side
 
 static mt_status prepare(mt_row *row, const mt_choice *choice, mt_choice_glyphs glyphs, mt_arena *arena,
                          mt_view *view) {
-    *view = (mt_view){.choice = choice, .paired = glyphs.b != MT_NO_PARTNER};
+    *view = (mt_view){.choice = choice, .glyphs = glyphs, .paired = glyphs.b != MT_NO_PARTNER};
     mt_status status = mt_pair_prepare(row, 0, glyphs.a, glyphs.b, arena, &view->pair);
     if (status != MT_OK || view->paired) return status;
     return decompose(&view->pair.a, arena, &view->pair.morph.a);

@@ -6,6 +6,7 @@
 
 typedef struct mt_view {
     const mt_choice *choice;
+    mt_choice_glyphs glyphs;
     bool paired; /* there is a second glyph; otherwise only pair.a, its advance and pair.morph.a are set */
     mt_glyph_pair pair;
 } mt_view;

@@ -1,5 +1,6 @@
 /* What the specimen's script reads: JSON, in which no markup can be. */
 #include "base/json.h"
+#include "base/page.h"
 #include "base/utf.h"
 #include "source/font.h"
 #include "specimen/specimen.h"
@@ -155,34 +156,15 @@ static void add_flagged(mt_json *json, const mt_specimen *specimen) {
 
 /* ---- the data ------------------------------------------------------------------------------------------ */
 
-/* In JSON a < stands in strings alone, so that it can be escaped wherever it is. */
-static mt_status escape_markup(const mt_buffer *json, mt_buffer *text) {
-    mt_status status = MT_OK;
-    size_t from = 0;
-    for (size_t i = 0; i < json->length && status == MT_OK; i++) {
-        if (json->bytes[i] != '<') continue;
-        status = mt_buffer_add(text, json->bytes + from, i - from);
-        if (status == MT_OK) status = mt_buffer_add(text, "\\u003c", 6);
-        from = i + 1;
-    }
-    return status == MT_OK ? mt_buffer_add(text, json->bytes + from, json->length - from) : status;
-}
-
 mt_status mt_specimen_data(const mt_specimen *specimen, mt_buffer *text) {
     mt_json json = {0};
-    mt_buffer made = {0};
     mt_json_object(&json, NULL);
     add_heading(&json, specimen);
     add_groups(&json, specimen);
     add_flagged(&json, specimen);
     add_characters(&json, "still", specimen, is_still, 0);
     mt_json_object_end(&json);
-    mt_status status = json.status;
-    if (status == MT_OK) status = escape_markup(&json.text, &made);
+    mt_status status = json.status == MT_OK ? mt_page_add_json(text, &json.text) : json.status;
     mt_buffer_free(&json.text);
-    if (status == MT_OK)
-        *text = made;
-    else
-        mt_buffer_free(&made);
     return status;
 }

@@ -23,44 +23,24 @@ static mt_status add_title(const mt_specimen *specimen, mt_buffer *text) {
     return status == MT_OK ? add(text, ": a specimen") : status;
 }
 
-static mt_status add_data(const mt_specimen *specimen, mt_buffer *text) {
-    mt_buffer data;
-    mt_status status = mt_specimen_data(specimen, &data);
-    if (status != MT_OK) return status;
-    status = mt_buffer_add(text, data.bytes, data.length);
-    mt_buffer_free(&data);
-    return status;
-}
-
 static mt_status add_font(const mt_specimen *specimen, mt_buffer *text) {
     mt_status status = add(text, "data:font/woff2;base64,");
     return status == MT_OK ? mt_base64_add(text, specimen->packed, specimen->packed_length) : status;
 }
 
-static mt_status fill(mt_specimen_slot slot, const mt_specimen *specimen, mt_buffer *text) {
+/* An mt_page_fill. */
+static mt_status fill(mt_page_slot slot, const void *user, mt_buffer *text) {
+    const mt_specimen *specimen = user;
     switch (slot) {
-    case MT_SLOT_VERSION: return add(text, MORPHOTYPE_VERSION);
     case MT_SLOT_TITLE: return add_title(specimen, text);
-    case MT_SLOT_DATA: return add_data(specimen, text);
+    case MT_SLOT_DATA: return mt_specimen_data(specimen, text);
     case MT_SLOT_FONT: return add_font(specimen, text);
     default: return MT_OK;
     }
 }
 
 mt_status mt_specimen_html(const mt_specimen *specimen, mt_buffer *text) {
-    mt_buffer made = {0};
-    mt_status status = MT_OK;
-    bool last = false;
-    for (const mt_specimen_part *part = mt_specimen_parts; !last && status == MT_OK; part++) {
-        status = mt_buffer_add(&made, part->markup, part->length);
-        if (status == MT_OK) status = fill(part->slot, specimen, &made);
-        last = part->slot == MT_SLOT_END;
-    }
-    if (status == MT_OK)
-        *text = made;
-    else
-        mt_buffer_free(&made);
-    return status;
+    return mt_page_make(mt_specimen_page, fill, specimen, text);
 }
 
 /* ---- making -------------------------------------------------------------------------------------------- */

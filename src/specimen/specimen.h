@@ -4,7 +4,7 @@
  *     specimen.c  the font made and its glyphs judged, in one go; the page put together; the file
  *     font.c      what is said of the font: its name, characters and features
  *     data.c      all this as the page's script reads it
- *     page.h      the page itself, made by page/embed.py of page.html, style.css and the scripts there
+ *     page.h      the page itself, made by base/embed.py of page/page.html, page/style.css and the scripts there
  */
 #pragma once
 
@@ -43,8 +43,7 @@ typedef struct mt_specimen {
     mt_report_figures figures; /* of the font's glyphs */
 } mt_specimen;
 
-/* What the page's script reads, in a buffer of the caller's: JSON in which no markup can be. docs/architecture.md has its
- * members. MT_NO_MEMORY. */
+/* Adds what the page's script reads: JSON in which no markup can be. docs/architecture.md has its members. MT_NO_MEMORY. */
 mt_status mt_specimen_data(const mt_specimen *specimen, mt_buffer *text);
 /* The page in a buffer of the caller's. MT_NO_MEMORY. */
 mt_status mt_specimen_html(const mt_specimen *specimen, mt_buffer *text);

@@ -195,8 +195,11 @@ class InChromium(unittest.TestCase):
     """One page and one window for the tests of a class, which begin with the page as it is when it is opened. None of them may
     leave a message on the console, or ask for anything but the page and what is in it."""
 
+    COMMAND = 'specimen'
     FONTS = (cli.SANS_BOLD, cli.SERIF)
     ARGUMENTS = ('--family', 'Between')
+    READY = 'return !document.getElementById("play").disabled'
+    HAS_FONT = True
     BLANK = 'Q' # the second font has no ink for it, so that it is flagged
     WINDOW = {}
 
@@ -205,7 +208,7 @@ class InChromium(unittest.TestCase):
         cls.directory = cli.make_directory(cls.addClassCleanup)
         cls.fonts = cls.make_fonts()
         cls.page = cls.directory / 'x.html'
-        subprocess.run([cli.MORPHOTYPE, 'specimen', *cls.fonts, '-q', '-o', cls.page, *cls.ARGUMENTS], check=True)
+        subprocess.run([cli.MORPHOTYPE, cls.COMMAND, *cls.fonts, '-q', '-o', cls.page, *cls.ARGUMENTS], check=True)
         cls.browser = browser.Browser(cls.directory, **cls.WINDOW)
         cls.addClassCleanup(cls.browser.close)
 
@@ -224,13 +227,13 @@ class InChromium(unittest.TestCase):
     def open(self, page, place=''):
         self.opened.append(page.as_uri())
         self.browser.open(page.as_uri() + place)
-        self.wait('return !document.getElementById("play").disabled')
+        self.wait(self.READY)
 
     def tearDown(self):
         self.assertEqual(self.browser.console(), [])
         asked = self.browser.requests()
         self.assertEqual([address for address in asked if not address.startswith(('data:', 'about:'))], self.opened)
-        self.assertTrue(any(address.startswith('data:font/woff2;') for address in asked)) # so that fonts would be seen
+        self.assertEqual(any(address.startswith('data:font/woff2;') for address in asked), self.HAS_FONT) # so that they would be seen
 
     def wait(self, script):
         """Until a script gives true; 20 seconds at most."""

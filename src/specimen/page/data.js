@@ -1,17 +1,3 @@
-
-/* The page's data, which docs/architecture.md describes, and what all parts of the script use. */
-const data = JSON.parse(document.getElementById('data').textContent);
-const root = document.documentElement;
-const at = id => document.getElementById(id);
-
-/* An element with properties and children; text is never read as markup. */
-function make(tag, properties, ...children) {
-  const element = Object.assign(document.createElement(tag), properties);
-  element.append(...children);
-  return element;
-}
-
-const clamp = (value, least, most) => Math.min(Math.max(value, least), most);
 const counted = (count, word) => `${count.toLocaleString('en')} ${word}${count === 1 ? '' : 's'}`;
 
 /* ---- characters ---- */

@@ -1,9 +1,9 @@
-"""Writes the specimen's page as C: page.html cut at its slots, with the style, the script and the policy in it.
+"""Writes a page as C: its markup cut at its slots, with the style, the script and the policy in it.
 
-    embed.py OUT.c page.html style.css SCRIPT.js…
+    embed.py OUT.c NAME PAGE.html STYLE.css… SCRIPT.js…
 
-The scripts become one, in the order given. The policy lets in this style and this script, by their digests (Content
-Security Policy, section 2.3.1), fonts and the icon as data: URLs, and nothing else.
+NAME is that of the array of parts. Styles become one, and scripts, in the order given. The policy lets in this style and this
+script, by their digests (Content Security Policy, section 2.3.1), fonts and the icon as data: URLs, and nothing else.
 """
 
 import base64
@@ -12,8 +12,8 @@ import pathlib
 import re
 import sys
 
-# What is filled in when a page is made; specimen/page.h has the same names.
-SLOTS = ('version', 'title', 'data', 'font')
+# What may be filled in when a page is made; base/page.h has the same names.
+SLOTS = {'version', 'title', 'body', 'data', 'font'}
 
 
 def read(name):
@@ -39,7 +39,7 @@ def check(name, text, end):
 def fill(page, contents):
     for name, text in contents.items():
         if page.count('{{%s}}' % name) != 1:
-            sys.exit(f'page.html: {name} is wanted once')
+            sys.exit(f'the page: {name} is wanted once')
         page = page.replace('{{%s}}' % name, text)
     return page
 
@@ -47,8 +47,9 @@ def fill(page, contents):
 def cut(page):
     """The markup before each slot, with the slot's name; the last has none."""
     pieces = re.split(r'\{\{(\w+)\}\}', page)
-    if sorted(pieces[1::2]) != sorted(SLOTS):
-        sys.exit(f'page.html: each of {", ".join(SLOTS)} is wanted once')
+    slots = pieces[1::2]
+    if len(set(slots)) < len(slots) or set(slots) - SLOTS:
+        sys.exit(f'the page: each of {", ".join(sorted(SLOTS))} may stand in it once')
     return list(zip(pieces[0::2], [*pieces[1::2], 'end']))
 
 
@@ -58,21 +59,21 @@ def array(index, text):
     return f'static const uint8_t part_{index}[] = {{\n    ' + ',\n    '.join(rows) + ',\n};\n'
 
 
-def source(parts):
+def source(name, parts):
     arrays = ''.join(array(index, text) for index, (text, _) in enumerate(parts))
     rows = ''.join(f'    {{part_{index}, sizeof part_{index}, MT_SLOT_{slot.upper()}}},\n'
                    for index, (_, slot) in enumerate(parts))
-    return ('/* Made by specimen/page/embed.py. */\n#include "specimen/page.h"\n\n' + arrays +
-            'const mt_specimen_part mt_specimen_parts[] = {\n' + rows + '};\n')
+    return ('/* Made by base/embed.py. */\n#include "base/page.h"\n\n' + arrays +
+            f'extern const mt_page_part {name}[];\nconst mt_page_part {name}[] = {{\n' + rows + '};\n')
 
 
 def main():
-    page, style = map(read, sys.argv[2:4])
-    script = ''.join(map(read, sys.argv[4:]))
+    out, name, page, *files = sys.argv[1:]
+    style, script = (''.join(read(file) for file in files if file.endswith(end)) for end in ('.css', '.js'))
     check('the style', style, '</style')
     check('the script', script, '</script')
-    page = fill(page, {'policy': policy(style, script), 'style': style, 'script': script})
-    pathlib.Path(sys.argv[1]).write_text(source(cut(page)), encoding='utf-8')
+    page = fill(read(page), {'policy': policy(style, script), 'style': style, 'script': script})
+    pathlib.Path(out).write_text(source(name, cut(page)), encoding='utf-8')
 
 
 main()

@@ -1,0 +1,113 @@
+/* The inspection as a page, on which hints are made by pointing (pointing/pointing.h has what its script reads of a glyph). */
+#include "base/html.h"
+#include "base/page.h"
+#include "base/utf.h"
+#include "pointing/idle_hints.h"
+#include "picture/page.h"
+#include "picture/view.h"
+#include "pointing/pointing.h"
+
+#include <string.h>
+
+/* ---- glyphs -------------------------------------------------------------------------------------------- */
+
+/* What a person reads: the character itself, or /NAME. */
+static void name_choice(const mt_choice *choice, char name[MT_CHOICE_LABEL_ROOM]) {
+    mt_choice_label(choice, name);
+    if (choice->name) return;
+    if (!mt_html_is_control(choice->code_point)) name[mt_utf8_put(choice->code_point, name)] = '\0';
+}
+
+typedef struct mt_inspect_page {
+    mt_row *row;
+    mt_json json;
+    int alone; /* glyphs without a partner, left out */
+} mt_inspect_page;
+
+/* An mt_view_taken. */
+static mt_status take_view(const mt_view *view, int index, mt_arena *arena, void *user) {
+    mt_inspect_page *page = user;
+    char name[MT_CHOICE_LABEL_ROOM], label[MT_CHOICE_LABEL_ROOM];
+    bool *idle;
+    (void)index;
+    page->alone += !view->paired;
+    if (!view->paired) return MT_OK;
+    name_choice(view->choice, name);
+    mt_choice_label(view->choice, label);
+    mt_status status =
+        mt_pair_find_idle_hints(page->row, 0, view->glyphs.a, view->glyphs.b, &view->pair, arena, &idle);
+    if (status != MT_OK) return status;
+    mt_pointed_glyph glyph = {name, label, view->glyphs.a, view->glyphs.b, &view->pair, idle};
+    return mt_pointing_add_glyph(&page->json, page->row, &glyph, arena);
+}
+
+/* ---- the page ------------------------------------------------------------------------------------------ */
+
+static void add_font(mt_json *json, const char *key, const mt_font *font) {
+    mt_json_object(json, key);
+    mt_json_text(json, "family", mt_font_family(font));
+    mt_json_text(json, "style", mt_font_style(font));
+    mt_json_object_end(json);
+}
+
+static mt_status add_title(const mt_row *row, mt_buffer *text) {
+    mt_status status = mt_html_text(text, mt_font_family(row->fonts[0]));
+    if (status == MT_OK) status = mt_buffer_add(text, " – ", strlen(" – "));
+    return status == MT_OK ? mt_html_text(text, mt_font_family(row->fonts[1])) : status;
+}
+
+/* An mt_page_fill. */
+static mt_status fill(mt_page_slot slot, const void *user, mt_buffer *text) {
+    const mt_inspect_page *page = user;
+    return slot == MT_SLOT_TITLE ? add_title(page->row, text) : mt_page_add_json(text, &page->json.text);
+}
+
+mt_status mt_inspect_page_make(mt_row *row, const mt_inspection *what, uint8_t **bytes, size_t *length,
+                               int *failed) {
+    mt_inspect_page page = {.row = row};
+    mt_json *json = &page.json;
+    mt_buffer text;
+    mt_json_object(json, NULL);
+    add_font(json, "a", row->fonts[0]);
+    add_font(json, "b", row->fonts[1]);
+    mt_json_array(json, "glyphs");
+    mt_status status = mt_views_make(row, what, take_view, &page, failed);
+    mt_json_array_end(json);
+    mt_json_object_end(json);
+    if (status == MT_OK) status = json->status;
+    if (status == MT_OK && page.alone == what->count) status = MT_NOTHING_SHARED;
+    if (status == MT_OK) status = mt_page_make(mt_inspect_page_parts, fill, &page, &text);
+    mt_buffer_free(&json->text);
+    if (status != MT_OK) return status;
+    *bytes = text.bytes;
+    *length = text.length;
+    return MT_OK;
+}
+
+/* ---- hints without effect ------------------------------------------------------------------------------- */
+
+typedef struct mt_idle_search {
+    mt_row *row;
+    mt_idle_hint_noted call;
+    void *user;
+} mt_idle_search;
+
+/* An mt_view_taken. */
+static mt_status tell_idle(const mt_view *view, int index, mt_arena *arena, void *user) {
+    const mt_idle_search *search = user;
+    mt_row *row = search->row;
+    bool *idle;
+    if (!view->paired) return MT_OK;
+    mt_hints hints = mt_hint_index_find(row->hints[0], view->glyphs.a, view->glyphs.b);
+    mt_status status =
+        mt_pair_find_idle_hints(row, 0, view->glyphs.a, view->glyphs.b, &view->pair, arena, &idle);
+    for (int i = 0; status == MT_OK && i < hints.count; i++)
+        if (idle[i]) search->call(index, mt_hint_index_line(row->hints[0], &hints.hints[i]), search->user);
+    return status;
+}
+
+mt_status mt_inspect_idle_hints(mt_row *row, const mt_inspection *what, mt_idle_hint_noted call, void *user,
+                                int *failed) {
+    mt_idle_search search = {row, call, user};
+    return mt_views_make(row, what, tell_idle, &search, failed);
+}
