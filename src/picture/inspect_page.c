@@ -7,8 +7,6 @@
 #include "picture/view.h"
 #include "pointing/pointing.h"
 
-#include <string.h>
-
 /* ---- glyphs -------------------------------------------------------------------------------------------- */
 
 /* What a person reads: the character itself, or /NAME. */
@@ -43,23 +41,11 @@ static mt_status take_view(const mt_view *view, int index, mt_arena *arena, void
 
 /* ---- the page ------------------------------------------------------------------------------------------ */
 
-static void add_font(mt_json *json, const char *key, const mt_font *font) {
-    mt_json_object(json, key);
-    mt_json_text(json, "family", mt_font_family(font));
-    mt_json_text(json, "style", mt_font_style(font));
-    mt_json_object_end(json);
-}
-
-static mt_status add_title(const mt_row *row, mt_buffer *text) {
-    mt_status status = mt_html_text(text, mt_font_family(row->fonts[0]));
-    if (status == MT_OK) status = mt_buffer_add(text, " – ", strlen(" – "));
-    return status == MT_OK ? mt_html_text(text, mt_font_family(row->fonts[1])) : status;
-}
-
 /* An mt_page_fill. */
 static mt_status fill(mt_page_slot slot, const void *user, mt_buffer *text) {
     const mt_inspect_page *page = user;
-    return slot == MT_SLOT_TITLE ? add_title(page->row, text) : mt_page_add_json(text, &page->json.text);
+    return slot == MT_SLOT_TITLE ? mt_pointing_add_title(text, page->row)
+                                 : mt_page_add_json(text, &page->json.text);
 }
 
 mt_status mt_inspect_page_make(mt_row *row, const mt_inspection *what, uint8_t **bytes, size_t *length,
@@ -68,8 +54,7 @@ mt_status mt_inspect_page_make(mt_row *row, const mt_inspection *what, uint8_t *
     mt_json *json = &page.json;
     mt_buffer text;
     mt_json_object(json, NULL);
-    add_font(json, "a", row->fonts[0]);
-    add_font(json, "b", row->fonts[1]);
+    mt_pointing_add_names(json, "names", row);
     mt_json_array(json, "glyphs");
     mt_status status = mt_views_make(row, what, take_view, &page, failed);
     mt_json_array_end(json);

@@ -1,9 +1,12 @@
+#include "base/html.h"
 #include "geometry/limits.h"
 #include "morph/between/variable_outline.h"
 #include "morph/paper/rotation.h"
 #include "pointing/pointing.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 /* What the em has of some units, and into how many parts one of them is rounded. */
 typedef struct mt_units {
@@ -128,4 +131,26 @@ mt_status mt_pointing_add_glyph(mt_json *json, mt_row *row, const mt_pointed_gly
     add_hints(json, row, glyph);
     mt_json_object_end(json);
     return json->status;
+}
+
+/* ---- both fonts ---------------------------------------------------------------------------------------- */
+
+static void add_name(mt_json *json, const char *key, const mt_font *font) {
+    char name[1024];
+    snprintf(name, sizeof name, "%s %s", mt_font_family(font), mt_font_style(font));
+    mt_json_text(json, key, name);
+}
+
+void mt_pointing_add_names(mt_json *json, const char *key, const mt_row *row) {
+    mt_json_object(json, key);
+    add_name(json, "a", row->fonts[0]);
+    add_name(json, "b", row->fonts[1]);
+    mt_json_object_end(json);
+}
+
+mt_status mt_pointing_add_title(mt_buffer *text, const mt_row *row) {
+    static const char between[] = " – ";
+    mt_status status = mt_html_text(text, mt_font_family(row->fonts[0]));
+    if (status == MT_OK) status = mt_buffer_add(text, between, strlen(between));
+    return status == MT_OK ? mt_html_text(text, mt_font_family(row->fonts[1])) : status;
 }

@@ -32,3 +32,8 @@ typedef struct mt_pointed_glyph {
  * array of its controls and its end, x and y in turn; the first starts where the last ends. Drawings and hints are in their font's units,
  * what moves in thousandths of the em. Takes the row's lock. MT_NO_MEMORY, MT_TOO_LARGE, and what mt_font_outline gives. */
 mt_status mt_pointing_add_glyph(mt_json *json, mt_row *row, const mt_pointed_glyph *glyph, mt_arena *arena);
+
+/* Adds the names of the row's first two fonts as an object, for the page's script: {"a": NAME, "b": NAME}. */
+void mt_pointing_add_names(mt_json *json, const char *key, const mt_row *row);
+/* Adds a page's title, in an element of text: both families' names. MT_NO_MEMORY. */
+mt_status mt_pointing_add_title(mt_buffer *text, const mt_row *row);

@@ -1,7 +1,12 @@
-/* The report as a page: one file that needs no script and no network, in light and dark, on wide and narrow screens. */
+/* The report as a page: one file that needs no network, and to be read no script; by its script a glyph is enlarged, with hints by
+ * pointing. */
 #include "base/html.h"
+#include "base/page.h"
+#include "base/utf.h"
 #include "base/workers.h"
 #include "geometry/limits.h"
+#include "pointing/pointing.h"
+#include "report/page.h"
 #include "report/report.h"
 #include "source/font.h"
 
@@ -11,13 +16,19 @@
 #include <stdio.h>
 #include <string.h>
 
+/* What is shown of a glyph that did not fail: its strip, and what the page's script reads of it. */
+typedef struct mt_shown_glyph {
+    mt_buffer strip;
+    mt_json data;
+} mt_shown_glyph;
+
 typedef struct mt_page {
     const mt_report *report;
     mt_buffer *text;
     mt_status status; /* once it is not MT_OK nothing more is written */
-    mt_buffer
-        *strips; /* of the first MT_REPORT_STRIPS glyphs that did not fail, by their place in the report */
-    int strip_count;
+    mt_shown_glyph
+        *shown; /* the first MT_REPORT_STRIPS glyphs that did not fail, by their place in the report */
+    int shown_count;
 } mt_page;
 
 /* ---- writing ------------------------------------------------------------------------------------------- */
@@ -51,68 +62,63 @@ static void put_percent(mt_page *page, const char *sign, double share) {
     put_format(page, "%s%" PRId64 ".%" PRId64 " %%", sign, tenths / 10, tenths % 10);
 }
 
-/* ---- strips -------------------------------------------------------------------------------------------- */
+/* ---- glyphs shown --------------------------------------------------------------------------------------- */
 
-/* A task: the strip of the index-th glyph that did not fail. Failed glyphs are the worst and stand before all others. */
-static mt_status draw_strip(int index, mt_arena *scratch, mt_arena *kept, void *user) {
+/* What the script reads of a glyph. */
+static mt_status add_data(mt_json *json, const mt_report *report, const mt_pairing *of,
+                          const mt_glyph_pair *pair, mt_arena *arena) {
+    char name[MT_GLYPH_LABEL_ROOM], label[MT_GLYPH_LABEL_ROOM];
+    mt_naming_label(report->naming, of->a, label);
+    if (of->mapped) snprintf(label, sizeof label, "U+%04lX", (unsigned long)of->code_point);
+    snprintf(name, sizeof name, "%s", label);
+    if (of->mapped && !mt_html_is_control(of->code_point)) name[mt_utf8_put(of->code_point, name)] = '\0';
+    mt_pointed_glyph glyph = {name, label, of->a, of->b, pair, NULL};
+    return mt_pointing_add_glyph(json, report->row, &glyph, arena);
+}
+
+/* A task: the index-th glyph that did not fail. Failed glyphs are the worst and stand before all others. */
+static mt_status show_glyph(int index, mt_arena *scratch, mt_arena *kept, void *user) {
     const mt_page *page = user;
     mt_row *row = page->report->row;
     const mt_report_glyph *glyph = &page->report->glyphs[page->report->summary.failed + index];
+    mt_shown_glyph *shown = &page->shown[index];
     mt_glyph_pair pair = {0};
     (void)kept;
     mt_status status = mt_pair_prepare(row, 0, glyph->of.a, glyph->of.b, scratch, &pair);
-    if (status != MT_OK) return status;
-    return mt_report_strip(&pair, &row->params, glyph, scratch, &page->strips[index]);
+    if (status == MT_OK) status = mt_report_strip(&pair, &row->params, glyph, scratch, &shown->strip);
+    return status == MT_OK ? add_data(&shown->data, page->report, &glyph->of, &pair, scratch) : status;
 }
 
-static mt_status draw_strips(mt_page *page) {
+static mt_status show_glyphs(mt_page *page) {
     const mt_report *report = page->report;
     int count = report->count - report->summary.failed;
-    page->strip_count = count < MT_REPORT_STRIPS ? count : MT_REPORT_STRIPS;
-    if (page->strip_count == 0) return MT_OK;
-    page->strips = mt_new((size_t)page->strip_count, sizeof *page->strips);
-    if (!page->strips) return MT_NO_MEMORY;
+    page->shown_count = count < MT_REPORT_STRIPS ? count : MT_REPORT_STRIPS;
+    if (page->shown_count == 0) return MT_OK;
+    page->shown = mt_new((size_t)page->shown_count, sizeof *page->shown);
+    if (!page->shown) return MT_NO_MEMORY;
     mt_work work = {
-        .count = page->strip_count, .task = draw_strip, .user = page, .threads = report->row->params.threads};
+        .count = page->shown_count, .task = show_glyph, .user = page, .threads = report->row->params.threads};
     return mt_work_run(&work);
 }
 
+static void forget_glyphs(mt_page *page) {
+    for (int i = 0; page->shown && i < page->shown_count; i++) {
+        mt_buffer_free(&page->shown[i].strip);
+        mt_buffer_free(&page->shown[i].data.text);
+    }
+    mt_free(page->shown);
+}
+
 static void put_strip(mt_page *page, int index) {
-    int strip = index - page->report->summary.failed;
-    if (page->status != MT_OK || strip < 0 || strip >= page->strip_count) return;
-    put(page, "<div class=\"strip\">");
-    if (page->status == MT_OK)
-        page->status = mt_buffer_add(page->text, page->strips[strip].bytes, page->strips[strip].length);
+    int number = index - page->report->summary.failed;
+    if (page->status != MT_OK || number < 0 || number >= page->shown_count) return;
+    const mt_buffer *strip = &page->shown[number].strip;
+    put_format(page, "<div class=\"strip\" data-glyph=\"%d\">", number);
+    if (page->status == MT_OK) page->status = mt_buffer_add(page->text, strip->bytes, strip->length);
     put(page, "</div>");
 }
 
 /* ---- the head ------------------------------------------------------------------------------------------ */
-
-static const char style[] =
-    ":root{color-scheme:light dark;--line:#ccc;--quiet:#666;--off:#b3261e}"
-    "@media(prefers-color-scheme:dark){:root{--line:#444;--quiet:#aaa;--off:#ff897d}}"
-    "body{font:15px/1.45 system-ui,sans-serif;margin:1rem auto;max-width:68rem;padding:0 .75rem}"
-    "h1{font-size:1.4rem}h2{font-size:1.15rem;margin-top:2rem}code{overflow-wrap:anywhere}"
-    ".scroll{overflow-x:auto}table{border-collapse:collapse;width:100%}"
-    "th,td{text-align:left;padding:.25rem .6rem .25rem 0;white-space:nowrap;vertical-align:baseline}"
-    "thead th{color:var(--quiet);font-weight:normal;border-bottom:1px solid var(--line)}"
-    "tbody{border-bottom:1px solid var(--line)}"
-    "td.look{white-space:normal;padding-bottom:.6rem}td.look ul{margin:0;padding-left:1.1rem}"
-    ".char{font-size:1.4rem;margin-right:.4rem}.name{overflow-wrap:anywhere}small{color:var(--quiet)}"
-    ".strip{display:flex;flex-wrap:wrap;gap:.25rem;margin-top:.4rem}"
-    "svg path{fill:currentColor}svg.off{color:var(--off)}"
-    "@media(max-width:40rem){body{font-size:13px}th,td{padding-right:.4rem}}";
-
-static void put_head(mt_page *page) {
-    put(page, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>");
-    put_text(page, mt_font_family(page->report->row->fonts[0]));
-    put(page, " – ");
-    put_text(page, mt_font_family(page->report->row->fonts[1]));
-    put(page, ": which glyphs need a look</title>\n<style>");
-    put(page, style);
-    put(page, "</style>\n</head>\n<body>\n<h1>Which glyphs need a look</h1>\n");
-}
 
 static void put_font(mt_page *page, const char *t, const mt_font *font) {
     put_format(page, "T = %s: <bdi>", t);
@@ -287,8 +293,8 @@ static void put_others(mt_page *page) {
 
 static void put_strips_left_out(mt_page *page) {
     int drawable = page->report->count - page->report->summary.failed;
-    if (drawable > page->strip_count)
-        put_format(page, "<p>Only the worst %d of the %d glyphs have strips.</p>\n", page->strip_count,
+    if (drawable > page->shown_count)
+        put_format(page, "<p>Only the worst %d of the %d glyphs have strips.</p>\n", page->shown_count,
                    drawable);
 }
 
@@ -307,23 +313,47 @@ static void put_unblended(mt_page *page) {
     put(page, "</p></details>\n");
 }
 
-mt_status mt_report_html(const mt_report *report, mt_buffer *text) {
-    mt_buffer made = {0};
-    mt_page page = {.report = report, .text = &made};
-    page.status = draw_strips(&page);
-    put_head(&page);
-    put_summary(&page);
-    put_legend(&page);
-    put_strips_left_out(&page);
-    put_flagged(&page);
-    put_others(&page);
-    put_unblended(&page);
-    put(&page, "</body>\n</html>\n");
-    for (int i = 0; page.strips && i < page.strip_count; i++) mt_buffer_free(&page.strips[i]);
-    mt_free(page.strips);
-    if (page.status == MT_OK)
-        *text = made;
-    else
-        mt_buffer_free(&made);
+/* ---- the page ------------------------------------------------------------------------------------------ */
+
+static void put_body(mt_page *page) {
+    put_summary(page);
+    put_legend(page);
+    put_strips_left_out(page);
+    put_flagged(page);
+    put_others(page);
+    put_unblended(page);
+}
+
+/* {"names": {…}, "glyphs": […]}, the glyphs shown in their order. */
+static void put_data(mt_page *page) {
+    mt_json names = {0};
+    mt_pointing_add_names(&names, NULL, page->report->row);
+    if (page->status == MT_OK) page->status = names.status;
+    put(page, "{\"names\": ");
+    if (page->status == MT_OK) page->status = mt_page_add_json(page->text, &names.text);
+    put(page, ", \"glyphs\": [");
+    for (int i = 0; i < page->shown_count && page->status == MT_OK; i++) {
+        put(page, i ? ",\n" : "\n");
+        if (page->status == MT_OK) page->status = mt_page_add_json(page->text, &page->shown[i].data.text);
+    }
+    put(page, "]}");
+    mt_buffer_free(&names.text);
+}
+
+/* An mt_page_fill. */
+static mt_status fill(mt_page_slot slot, const void *user, mt_buffer *text) {
+    mt_page page = *(const mt_page *)user;
+    page.text = text;
+    if (slot == MT_SLOT_TITLE) return mt_pointing_add_title(text, page.report->row);
+    if (slot == MT_SLOT_BODY) put_body(&page);
+    if (slot == MT_SLOT_DATA) put_data(&page);
     return page.status;
+}
+
+mt_status mt_report_html(const mt_report *report, mt_buffer *text) {
+    mt_page page = {.report = report};
+    mt_status status = show_glyphs(&page);
+    if (status == MT_OK) status = mt_page_make(mt_report_page, fill, &page, text);
+    forget_glyphs(&page);
+    return status;
 }

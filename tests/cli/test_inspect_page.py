@@ -1,4 +1,5 @@
-"""morphotype inspect -o x.html: hints made by pointing, in Chromium. The browser's part is skipped where it is not installed."""
+"""Hints made by pointing, on the page of inspect and on that of report, in Chromium. The browser's part is skipped where it is not
+installed."""
 
 import subprocess
 import sys
@@ -10,7 +11,7 @@ import cli
 from fontTools import ttLib
 from test_specimen import InChromium, PageReader, data_of
 
-IN_CHROMIUM = ('Pointing', 'Narrow')
+IN_CHROMIUM = ('Narrow', 'Pointing', 'Report')
 
 
 def place(side, node):
@@ -179,6 +180,36 @@ class Narrow(Editor):
 
     def test_it_fits(self):
         self.assertEqual(self.browser.run('return [innerWidth, document.documentElement.scrollWidth]'), [390, 390])
+
+
+class Report(Editor):
+    COMMAND = 'report'
+
+    def test_a_glyph_is_enlarged(self):
+        self.assertEqual(self.box('#dialog')[2], 0)
+        names = [glyph['name'] for glyph in data_of(self.page.read_text(encoding='utf-8'))['glyphs']]
+        self.assertEqual(sorted(names), sorted('k6W'))
+        self.browser.click('summary')
+        self.browser.click('.strip[data-glyph="1"] .enlarge')
+        self.assertGreater(self.box('#dialog')[2], 1000)
+        self.assertTrue(self.text_of('#editor-name').startswith(names[1]))
+        self.assertGreater(self.box('#between')[3], 200)
+        self.browser.press('Escape')
+        self.assertEqual(self.box('#dialog')[2], 0)
+
+    def test_two_clicks_make_a_hint(self):
+        self.browser.click('summary')
+        self.browser.click('.strip[data-glyph="0"] svg')
+        glyph = self.glyph()
+        a, b = place(glyph['a'], (0, 0)), place(glyph['b'], (0, 1))
+        self.point_at('a', *a)
+        self.point_at('b', *b)
+        self.assertEqual(self.lines(), f'glyph {glyph["name"]}\npoint %d,%d %d,%d\n' % (*a, *b))
+
+    def test_what_is_folded_away_is_printed(self):
+        self.assertFalse(self.browser.run('return document.querySelector("details").open'))
+        self.browser.devtools('Page.printToPDF')
+        self.assertTrue(self.browser.run('return document.querySelector("details").open'))
 
 
 if __name__ == '__main__':

@@ -1,8 +1,6 @@
 
 /* ---- the glyphs of an inspection ---- */
 
-const nameOf = font => `${font.family} ${font.style}`.trim();
-
 function choose(index) {
   [...at('glyphs').children].forEach((button, i) => button.setAttribute('aria-pressed', i === index));
   showInEditor(data.glyphs[index]);
@@ -17,7 +15,7 @@ function fillGlyphs() {
     type: 'button', className: 'choice', textContent: glyph.name, title: glyph.label, onclick: () => choose(index)})));
 }
 
-at('editor').append(...makeEditor({a: nameOf(data.a), b: nameOf(data.b)}));
+at('editor').append(...makeEditor(data.names));
 fillGlyphs();
 for (const glyph of data.glyphs) editor.hints.set(glyph.label, glyph.hints);
 choose(indexOfAddress());
