@@ -50,9 +50,9 @@ static mt_status pair(mt_font *const *fonts, int count, const mt_given_pairs *pa
 mt_status mt_named_hints_find(mt_font *const *fonts, int count, const mt_given_pairs *pairs,
                               const mt_hint_table *table, mt_arena *arena, mt_hint_glyphs **glyphs,
                               mt_hint_error *error) {
-    mt_named_lines named = {.count = table->count - table->character_count,
-                            .lines = table->lines + table->character_count};
+    mt_named_lines named = {.count = table->count - table->character_count};
     if (named.count == 0) return MT_OK;
+    named.lines = table->lines + table->character_count;
     named.firsts = mt_arena_new(arena, (size_t)named.count, sizeof *named.firsts);
     if (!named.firsts) return MT_NO_MEMORY;
     mt_status status = find_names(fonts[0], &named, error);

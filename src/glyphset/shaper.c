@@ -83,6 +83,12 @@ void mt_shaper_close(mt_shaper *shaper) {
     *shaper = (mt_shaper){0};
 }
 
+/* Substitutions of a damaged font lead to glyphs that it has not: there it shows glyph 0. */
+static void drop_unknown(hb_glyph_info_t *glyphs, unsigned count, uint32_t glyph_count) {
+    for (unsigned i = 0; i < count; i++)
+        if (glyphs[i].codepoint >= glyph_count) glyphs[i].codepoint = 0;
+}
+
 mt_shaped_text mt_shaper_shape(mt_shaper *shaper, const uint32_t *codes, int count) {
     hb_buffer_t *buffer = shaper->buffer;
     mt_shaped_text shaped = {0};
@@ -100,7 +106,9 @@ mt_shaped_text mt_shaper_shape(mt_shaper *shaper, const uint32_t *codes, int cou
     if (shaper->endless) return shaped;
     shaped.backward = HB_DIRECTION_IS_BACKWARD(hb_buffer_get_direction(buffer));
     if (shaped.backward) hb_buffer_reverse(buffer);
-    shaped.glyphs = hb_buffer_get_glyph_infos(buffer, &shaped.count);
+    hb_glyph_info_t *glyphs = hb_buffer_get_glyph_infos(buffer, &shaped.count);
+    drop_unknown(glyphs, shaped.count, (uint32_t)shaper->tables.glyph_count);
+    shaped.glyphs = glyphs;
     shaped.at = hb_buffer_get_glyph_positions(buffer, NULL);
     return shaped;
 }

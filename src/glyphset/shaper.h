@@ -23,7 +23,8 @@ typedef struct mt_shaper {
 /* The glyphs of a shaped text in the order of its characters; they belong to the shaper until it shapes the next one. */
 typedef struct mt_shaped_text {
     unsigned count;
-    const hb_glyph_info_t *glyphs; /* codepoint: the glyph; cluster: the place of its first character */
+    const hb_glyph_info_t
+        *glyphs; /* codepoint: the glyph, one of the font's; cluster: the place of its first character */
     const hb_glyph_position_t *at; /* font units */
     bool backward;                 /* the line runs from the last glyph to the first */
 } mt_shaped_text;

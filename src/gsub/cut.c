@@ -68,9 +68,9 @@ static size_t lookup_length(const mt_gsub_lookup *lookup, int parts) {
     return 6 + (lookup->mark_set >= 0 ? 2u : 0u) + (2 + EXTENSION) * (size_t)parts;
 }
 
-/* A lookup at `at` in the new table, with the records that lead to its parts. */
-static void write_lookup(mt_table *table, const mt_gsub_lookup *lookup, const mt_gsub_part *parts, int count,
-                         size_t old_start, size_t new_start) {
+/* A lookup with the records that lead to its parts: `count` of them, `from` the first. */
+static void write_lookup(mt_table *table, const mt_gsub_lookup *lookup, const mt_gsub_parts *parts, int from,
+                         int count, size_t old_start, size_t new_start) {
     size_t first = lookup_length(lookup, count) - EXTENSION * (size_t)count;
     mt_table_16(table, count ? MT_EXTENSION_GSUB : lookup->type);
     mt_table_16(table, lookup->flag);
@@ -78,7 +78,8 @@ static void write_lookup(mt_table *table, const mt_gsub_lookup *lookup, const mt
     for (int i = 0; i < count; i++) mt_table_16(table, (int)(first + EXTENSION * (size_t)i));
     if (lookup->mark_set >= 0) mt_table_16(table, lookup->mark_set);
     for (int i = 0; i < count; i++) {
-        size_t to = parts[i].at + (parts[i].is_old ? old_start : new_start);
+        const mt_gsub_part *part = &parts->list[from + i];
+        size_t to = part->at + (part->is_old ? old_start : new_start);
         mt_table_16(table, 1);
         mt_table_16(table, lookup->type);
         mt_table_32(table, (uint32_t)(to - (table->length - 4)));
@@ -103,9 +104,8 @@ static bool write_lookups(mt_table *table, const mt_gsub *gsub, const mt_gsub_pa
         mt_table_16(table, (int)list);
         list += lookup_length(&gsub->lookups[i], counts[i]);
     }
-    const mt_gsub_part *part = parts->list;
-    for (int i = 0; i < all; part += counts[i++])
-        write_lookup(table, &gsub->lookups[i], part, counts[i], old_start, new_start);
+    for (int i = 0, from = 0; i < all; from += counts[i++])
+        write_lookup(table, &gsub->lookups[i], parts, from, counts[i], old_start, new_start);
     return true;
 }
 
