@@ -63,6 +63,14 @@ struct mt_block {
     alignas(max_align_t) unsigned char bytes[];
 };
 
+/* With the build's option arenas-apart, each allocation is a block of its very size, which a rewind gives back: so sanitizers see what
+ * goes beyond its end, and what is used too late. */
+#ifdef MT_ARENAS_APART
+enum { APART = true };
+#else
+enum { APART = false };
+#endif
+
 /* Bytes that are set to zero in a step. */
 enum { BYTES_A_STEP = 64 };
 
@@ -89,11 +97,11 @@ static mt_block *find_block(mt_block **next, size_t size) {
 
 static mt_block *next_block(mt_arena *arena, size_t size) {
     mt_block **next = arena->current ? &arena->current->next : &arena->first;
-    mt_block *block = find_block(next, size);
+    mt_block *block = APART ? NULL : find_block(next, size);
     if (block) return block;
     size_t doubled = arena->current ? 2 * arena->current->size : BLOCK_MIN;
     if (doubled > BLOCK_DOUBLED_MOST) doubled = BLOCK_DOUBLED_MOST;
-    size_t room = size > doubled ? size : doubled;
+    size_t room = APART || size > doubled ? size : doubled;
     if (room > PTRDIFF_MAX - sizeof(mt_block)) return NULL;
     block = mt_new(1, sizeof(mt_block) + room);
     if (!block) return NULL;
@@ -112,12 +120,13 @@ void *mt_arena_new(mt_arena *arena, size_t count, size_t size) {
     if (size && count > (PTRDIFF_MAX - alignof(max_align_t)) / size) return NULL;
     size_t bytes = (count * size + alignof(max_align_t) - 1) / alignof(max_align_t) * alignof(max_align_t);
     if (!may_take(arena, bytes)) return NULL;
-    void *memory = take(arena->current, bytes);
+    size_t taken = APART ? count * size : bytes;
+    void *memory = APART ? NULL : take(arena->current, taken);
     if (!memory) {
-        mt_block *block = next_block(arena, bytes);
+        mt_block *block = next_block(arena, taken);
         if (!block) return NULL;
         arena->current = block;
-        memory = take(block, bytes);
+        memory = take(block, taken);
     }
     arena->used += bytes;
     mt_arena_spend(arena, (int64_t)(bytes / BYTES_A_STEP));
@@ -132,17 +141,23 @@ void *mt_arena_grow_list(mt_arena *arena, void *list, int count, int *room, size
     return count ? memcpy(grown, list, (size_t)count * size) : grown;
 }
 
+static void free_blocks(mt_block **first) {
+    for (mt_block *block = *first, *next; block; block = next) {
+        next = block->next;
+        mt_free(block);
+    }
+    *first = NULL;
+}
+
 void mt_arena_reset(mt_arena *arena) {
+    if (APART) free_blocks(&arena->first);
     arena->current = NULL;
     arena->used = 0;
     mt_arena_bound(arena, NULL);
 }
 
 void mt_arena_release(mt_arena *arena) {
-    for (mt_block *block = arena->first, *next; block; block = next) {
-        next = block->next;
-        mt_free(block);
-    }
+    free_blocks(&arena->first);
     *arena = (mt_arena){0};
 }
 
@@ -154,6 +169,7 @@ void mt_arena_rewind(mt_arena *arena, mt_arena_place place) {
     arena->current = place.block;
     arena->used = place.used;
     if (place.block) place.block->used = place.block_used;
+    if (APART) free_blocks(place.block ? &place.block->next : &arena->first);
 }
 
 /* ---- work ---------------------------------------------------------------------------------------------- */
