@@ -151,6 +151,7 @@ typedef struct mt_glyph_note {
     const char *name;    /* its name there, which lasts as long as the call; NULL: none */
     int font;            /* the font that is the reason, counted from 0; -1: no single one */
     mt_status why;
+    double t; /* with mt_blend_on_held, where it stays */
 } mt_glyph_note;
 typedef void (*mt_glyph_noted)(const mt_glyph_note *note, void *user);
 /* The same as mt_blend_on_failure, and besides it, with all that is known of the glyph. */
@@ -159,6 +160,8 @@ MT_API void mt_blend_on_glyph_failure(mt_blend *blend, mt_glyph_noted call, void
 MT_API void mt_blend_on_unblended(mt_blend *blend, mt_glyph_noted call, void *user);
 /* Called once for each glyph whose effort was spent before all ways were tried (MT_TOO_COSTLY): it is blended by the best of those that were. */
 MT_API void mt_blend_on_cut_short(mt_blend *blend, mt_glyph_noted call, void *user);
+/* Called for each glyph that stays where its topology ends, note.t, short of a T outside 0 … 1 that was asked for (MT_TOO_LARGE). */
+MT_API void mt_blend_on_held(mt_blend *blend, mt_glyph_noted call, void *user);
 MT_API void mt_blend_on_progress(mt_blend *blend, mt_progress call, void *user);
 
 /* Names the fonts that follow: the family NAME in place of a name made from both; NULL goes back to that. */
@@ -206,7 +209,8 @@ MT_API void mt_blend_set_glyphs(mt_blend *blend, mt_glyph_set set);
 /* How many glyphs of the last fonts made are the first font's own, because the second has none for them. */
 MT_API int mt_blend_unblended(const mt_blend *blend);
 
-/* The font at t (0 … 1) as TrueType bytes; give them back with mt_bytes_free. */
+/* The font at t as TrueType bytes; give them back with mt_bytes_free. t is 0 … 1, or goes past an end: down to -1, up to 2. There each glyph
+ * goes on as it came, as far as it keeps the components and holes of that end, and stays there. */
 MT_API mt_status mt_blend_font(mt_blend *blend, double t, uint8_t **bytes, size_t *length);
 /* Fonts at `count` places in one go, for little more than the price of one: each glyph is read, cut and
  * matched once. Fills bytes[count] and lengths[count], or none of them. */

@@ -1,5 +1,6 @@
 /* morphotype blend: fonts between two fonts. All of them are made before the first is put in its place. */
 #include "commands.h"
+#include "morph/check/reach.h"
 #include "messages.h"
 #include "outputs.h"
 #include "save/save.h"
@@ -90,7 +91,9 @@ const cli_command blend_command = {
             "second lacks stays as it is in the first."
             "\nA glyph that cannot be blended is named on stderr, and the nearer font's own outline "
             "stands in for it. OUT.ufo is a directory; one that is there already is replaced when it is "
-            "a UFO.",
+            "a UFO."
+            "\nPast the ends, from -1 to 2, each glyph goes on as it came, as far as it keeps its parts and "
+            "holes: those that stay short are named.",
     .examples = {{"A font half-way:", "morphotype blend A.ttf B.otf -o Between.ttf"},
                  {"Three fonts, Between-0.25.ttf, Between-0.5.ttf and Between-0.75.ttf:",
                   "morphotype blend A.ttf B.otf --at 0.25,0.5,0.75 -o Between.ttf"},
@@ -99,6 +102,7 @@ const cli_command blend_command = {
     .reads = CLI_FONT_FILES,
     .writes = "ttf woff2 ufo",
     .takes = "oatcFYGELSP",
+    .at_past = MT_REACH_MOST,
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

@@ -32,7 +32,8 @@ void glyph_notes_add(const mt_glyph_note *note, void *user) {
                                                .is_form = note->is_form,
                                                .name = name,
                                                .font = note->font,
-                                               .why = note->why};
+                                               .why = note->why,
+                                               .t = note->t};
 }
 
 void glyph_notes_free(glyph_notes *notes) {
@@ -49,6 +50,7 @@ static int order_of(int64_t x, int64_t y) {
 
 static int compare_kinds(const glyph_note *x, const glyph_note *y) {
     int order = order_of(x->why, y->why);
+    if (!order) order = order_of(x->t > 0, y->t > 0); /* held before the one end, or past the other */
     return order ? order : order_of(x->font, y->font);
 }
 
@@ -169,5 +171,39 @@ void glyph_notes_say_cut_short(glyph_notes *notes, const cli_options *options) {
             "tries "
             "on: %s",
             end - from, one ? "" : "s", one ? "is" : "are", glyphs);
+    }
+}
+
+/* The farthest place that is asked for on that side. */
+static double asked_for(const cli_options *options, bool past_second) {
+    double t = 0.5;
+    for (int i = 0; i < options->at_count; i++)
+        if (past_second ? options->at[i] > t : options->at[i] < t) t = options->at[i];
+    return t;
+}
+
+/* "“k” (U+006B) at 1.12, …" */
+static void list_held(const glyph_note *notes, int count, char *text, size_t room) {
+    size_t used = 0;
+    int named = 0;
+    *text = '\0';
+    for (; named < count && named < NAMED_MOST && used + 1024 < room; named++) {
+        if (named) used += (size_t)snprintf(text + used, room - used, ", ");
+        describe(&notes[named], text + used, room - used);
+        used += strlen(text + used);
+        used += (size_t)snprintf(text + used, room - used, " at %.2f", notes[named].t);
+    }
+    if (named < count) snprintf(text + used, room - used, " and %d more", count - named);
+}
+
+void glyph_notes_say_held(glyph_notes *notes, const cli_options *options) {
+    char glyphs[LINE_ROOM];
+    sort(notes);
+    for (int from = 0, end; from < notes->count; from = end) {
+        end = options->verbose ? from + 1 : kind_end(notes, from);
+        list_held(&notes->list[from], end - from, glyphs, sizeof glyphs);
+        say("%d glyph%s short of T = %g, where %s drawing would come apart or close: %s", end - from,
+            end - from == 1 ? " stays" : "s stay", asked_for(options, notes->list[from].t > 0.5),
+            end - from == 1 ? "its" : "their", glyphs);
     }
 }

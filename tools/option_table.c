@@ -9,7 +9,8 @@
 
 const option_row option_rows[] = {
     {'o', true, "output", "FILE", NULL, "the file to write"},
-    {'a', false, "at", "T[,T...]", NULL, "places from 0 (the first) to 1 (the second)"},
+    {'a', false, "at", "T[,T...]", NULL,
+     "places from 0 (the first) to 1 (the second); of blend, from -1 to 2"},
     {'n', false, "steps", "N", NULL, "N evenly spaced places, both ends among them (2 ... 1000)"},
     {'t', false, "text", "TEXT", NULL, "the text, UTF-8, with glyphs as /NAME; again for another line"},
     {'c', false, "chars", "FILE", NULL,

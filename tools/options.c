@@ -26,7 +26,7 @@ static int no_memory(void) {
     return fail("%s", mt_status_text(MT_NO_MEMORY));
 }
 
-static int read_at(cli_options *options, const char *argument) {
+static int read_at(const cli_command *command, cli_options *options, const char *argument) {
     int room = 1;
     for (const char *p = argument; *p; p++) room += *p == ',';
     if (room > MT_STEPS_MAX) return misuse(options->command, "--at: at most %d places", MT_STEPS_MAX);
@@ -35,8 +35,11 @@ static int read_at(cli_options *options, const char *argument) {
     if (!options->at) return no_memory();
     options->at_count = numbers_read(argument, options->at, room);
     bool good = options->at_count > 0;
-    for (int i = 0; i < options->at_count; i++) good = good && options->at[i] >= 0 && options->at[i] <= 1;
-    return good ? GO_ON : misuse(options->command, "--at %s: numbers from 0 to 1 are wanted", argument);
+    double least = 0 - command->at_past, most = 1 + command->at_past;
+    for (int i = 0; i < options->at_count; i++)
+        good = good && options->at[i] >= least && options->at[i] <= most;
+    if (good) return GO_ON;
+    return misuse(options->command, "--at %s: numbers from %g to %g are wanted", argument, least, most);
 }
 
 /* Whether the library takes the map. */
@@ -282,7 +285,7 @@ static int read_param(cli_options *options, char letter, const char *argument) {
 static int read_option(const cli_command *command, cli_options *options, char letter, const char *argument) {
     switch (letter) {
     case 'o': return options->output = argument, GO_ON;
-    case 'a': return read_at(options, argument);
+    case 'a': return read_at(command, options, argument);
     case 'n': return read_int(options, "steps", argument, 2, MT_STEPS_MAX, &options->steps);
     case 't': return read_text(options, argument);
     case 'c': return options->chars_file = argument, GO_ON;

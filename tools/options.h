@@ -62,6 +62,7 @@ struct cli_command {
     const char *takes;                  /* the letters of its own options */
     const char *leaves; /* of those of every other command it does not take these; NULL: takes all */
     int fonts_min, fonts_max;
+    double at_past;                   /* how far past the ends --at may be */
     int (*run)(cli_options *options); /* an exit code */
 };
 

@@ -235,9 +235,10 @@ int work_failures(cli_work *work) {
     progress_erase(&work->bar);
     if (!options->quiet) glyph_notes_say_unblended(&work->unblended, options);
     if (!options->quiet) glyph_notes_say_cut_short(&work->cut_short, options);
+    if (!options->quiet) glyph_notes_say_held(&work->held, options);
     if (!options->quiet || options->strict) glyph_notes_say_failures(&work->failures, options);
     int count = work->failures.count;
-    if (work->failures.lost || work->unblended.lost || work->cut_short.lost)
+    if (work->failures.lost || work->unblended.lost || work->cut_short.lost || work->held.lost)
         return fail("%s", mt_status_text(MT_NO_MEMORY));
     if (!options->strict || count == 0) return DONE;
     return fail("%d glyph%s could not be blended; nothing written (--strict)", count, count == 1 ? "" : "s");
@@ -326,6 +327,7 @@ static int make_blend(cli_work *work) {
     mt_blend_on_glyph_failure(work->blend, glyph_notes_add, &work->failures);
     mt_blend_on_unblended(work->blend, glyph_notes_add, &work->unblended);
     mt_blend_on_cut_short(work->blend, glyph_notes_add, &work->cut_short);
+    mt_blend_on_held(work->blend, glyph_notes_add, &work->held);
     mt_blend_on_progress(work->blend, progress_draw, &work->bar);
     return DONE;
 }
@@ -424,4 +426,5 @@ void work_end(cli_work *work) {
     glyph_notes_free(&work->failures);
     glyph_notes_free(&work->unblended);
     glyph_notes_free(&work->cut_short);
+    glyph_notes_free(&work->held);
 }

@@ -17,7 +17,7 @@ typedef struct cli_work {
     characters chosen; /* those of --text or --chars that both fonts have; empty without either */
     choices text;      /* of --text, with its line ends */
     progress bar;
-    glyph_notes failures, unblended, cut_short;
+    glyph_notes failures, unblended, cut_short, held;
     bool stopped; /* work_made has said why */
 } cli_work;
 

@@ -2,16 +2,20 @@
  * the morph; else the nearer font's own. */
 #include "blend/instances.h"
 
+#include <math.h>
+
 #include "blend/assemble.h"
 #include "blend/contours.h"
 #include "blend/metadata.h"
 #include "gpos/kerning.h"
 #include "morph/between/instance.h"
+#include "morph/check/reach.h"
 #include "sfnt/sfnt.h"
 
 typedef struct mt_instances {
     const double *t;
     int count;
+    mt_reach wanted;     /* the least T and the most, or 0 and 1 */
     mt_glyf **glyphs;    /* at each T, all glyphs */
     mt_extent **extents; /* as many */
     bool *failed;        /* of each glyph: it could not be blended */
@@ -32,9 +36,8 @@ static mt_status start(mt_making *making, void *user) {
     return MT_OK;
 }
 
-/* Gives the glyph the room that it takes at the i-th T. */
-static mt_status take_room(const mt_glyph_task *task, const mt_instances *fonts, int i, mt_glyf *glyf) {
-    mt_glyph_room room = mt_room_between(&task->pair.room_a, &task->pair.room_b, fonts->t[i]);
+static mt_status take_room(const mt_glyph_task *task, double t, mt_glyf *glyf) {
+    mt_glyph_room room = mt_room_between(&task->pair.room_a, &task->pair.room_b, t);
     return mt_glyf_take_room(room, task->making->units, glyf);
 }
 
@@ -61,7 +64,7 @@ static mt_status begin(mt_glyph_task *task, void *user, bool *wanted) {
                             fonts->extents[i]};
         mt_glyf made = {0};
         mt_extent *extent = &fonts->extents[i][task->glyph];
-        mt_status status = take_room(task, fonts, i, &made);
+        mt_status status = take_room(task, fonts->t[i], &made);
         if (status == MT_OK)
             status = mt_composite_assemble(composite, &font, task->kept, task->scratch, &made, extent);
         if (status == MT_NO_MEMORY) return status;
@@ -73,13 +76,19 @@ static mt_status begin(mt_glyph_task *task, void *user, bool *wanted) {
 
 /* ---- drawings ------------------------------------------------------------------------------------------ */
 
-static mt_status keep(const mt_glyph_task *task, mt_instances *fonts, int i, const mt_outline *outline) {
+static mt_status keep(const mt_glyph_task *task, mt_instances *fonts, int i, double t,
+                      const mt_outline *outline) {
     mt_glyf made = {0}, *kept = &fonts->glyphs[i][task->glyph];
     mt_status status = mt_outline_glyf(outline, task->making->units, task->kept, &made);
-    if (status == MT_OK) status = take_room(task, fonts, i, &made);
+    if (status == MT_OK) status = take_room(task, t, &made);
     if (status != MT_OK) return status;
     *kept = made;
     return mt_glyf_extent(kept, NULL, &fonts->extents[i][task->glyph]);
+}
+
+/* T within the reach. */
+static double held(mt_reach reach, double t) {
+    return fmin(fmax(t, reach.from), reach.to);
 }
 
 /* Half-way, the nearer one is B's. */
@@ -87,30 +96,41 @@ static const mt_shape *nearer_shape(const mt_glyph_task *task, double t) {
     return t < 0.5 || task->b == MT_NO_PARTNER ? &task->pair.a : &task->pair.b;
 }
 
+static mt_status draw_at(const mt_glyph_task *task, mt_instances *fonts, int i, double t) {
+    const mt_params *params = &task->making->row->params;
+    mt_outline outline;
+    mt_status status =
+        task->b == MT_NO_PARTNER
+            ? mt_shape_outline(&task->pair.a, params, task->scratch, &outline)
+            : mt_morph_outline(&task->pair.morph, mt_weights_at(t), params, task->scratch, &outline);
+    return status == MT_OK ? keep(task, fonts, i, t, &outline) : status;
+}
+
 static mt_status draw(mt_glyph_task *task, mt_instances *fonts) {
     const mt_params *params = &task->making->row->params;
-    for (int i = 0; i < fonts->count; i++) {
+    mt_reach reach = fonts->wanted;
+    mt_status status = task->b == MT_NO_PARTNER
+                           ? MT_OK
+                           : mt_pair_reach(&task->pair, fonts->wanted, params, task->scratch, &reach);
+    for (int i = 0; i < fonts->count && status == MT_OK; i++) {
+        double t = held(reach, fonts->t[i]);
         if (is_assembled(fonts, task->glyph, i)) continue;
-        mt_outline outline;
-        mt_status status = task->b == MT_NO_PARTNER
-                               ? mt_shape_outline(&task->pair.a, params, task->scratch, &outline)
-                               : mt_morph_outline(&task->pair.morph, mt_weights_at(fonts->t[i]), params,
-                                                  task->scratch, &outline);
-        if (status == MT_OK) status = keep(task, fonts, i, &outline);
-        if (status != MT_OK) return status;
+        status = draw_at(task, fonts, i, t);
+        if (status == MT_OK && t != fonts->t[i]) mt_task_report_held(task, t);
     }
-    return MT_OK;
+    return status;
 }
 
 /* The nearer font's own outline instead of the blend; nothing, and no room, where that does not fit either. */
 static mt_status fall_back(mt_glyph_task *task, mt_instances *fonts) {
     const mt_params *params = &task->making->row->params;
+    const mt_reach ends = {0, 1};
     for (int i = 0; i < fonts->count; i++) {
         if (is_assembled(fonts, task->glyph, i)) continue;
         mt_outline outline = {0};
         mt_status status = mt_shape_outline(nearer_shape(task, fonts->t[i]), params, task->scratch, &outline);
         status = mt_arena_verdict(task->scratch, status);
-        if (status == MT_OK) status = keep(task, fonts, i, &outline);
+        if (status == MT_OK) status = keep(task, fonts, i, held(ends, fonts->t[i]), &outline);
         if (status != MT_OK && status != MT_TOO_LARGE && status != MT_TOO_COSTLY) return status;
         if (status == MT_OK) continue;
         fonts->glyphs[i][task->glyph] = (mt_glyf){0};
@@ -170,9 +190,11 @@ static mt_status hand_over(mt_making *making, const mt_instances *fonts, mt_font
 }
 
 mt_status mt_blend_make(mt_blend *blend, const double *t, int count, mt_font_ready ready, void *user) {
-    for (int i = 0; i < count; i++)
-        if (!(t[i] >= 0 && t[i] <= 1)) return MT_BAD_PARAMETER;
-    mt_instances fonts = {.t = t, .count = count};
+    mt_instances fonts = {.t = t, .count = count, .wanted = {0, 1}};
+    for (int i = 0; i < count; i++) {
+        if (!(t[i] >= -MT_REACH_MOST && t[i] <= 1 + MT_REACH_MOST)) return MT_BAD_PARAMETER;
+        fonts.wanted = (mt_reach){fmin(fonts.wanted.from, t[i]), fmax(fonts.wanted.to, t[i])};
+    }
     mt_making making = {.sinks = {{start, begin, take, &fonts}}, .sink_count = 1};
     mt_status status = mt_making_begin_font(&making, &blend->row);
     if (status == MT_OK) status = mt_making_run(&making);

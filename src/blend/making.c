@@ -32,6 +32,12 @@ void mt_task_report(const mt_glyph_task *task, mt_status why) {
     mt_making_report(task->making, task->glyph, font, why);
 }
 
+void mt_task_report_held(const mt_glyph_task *task, double t) {
+    mt_glyph_note note = note_of(task->making, task->glyph, -1, MT_TOO_LARGE);
+    note.t = t;
+    if (task->glyph != 0) mt_row_report_held(task->making->row, &note);
+}
+
 static void report_cut_short(const mt_glyph_task *task) {
     const mt_glyph_note note = note_of(task->making, task->glyph, -1, MT_TOO_COSTLY);
     if (task->glyph != 0) mt_row_report_cut_short(task->making->row, &note);

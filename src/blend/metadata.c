@@ -25,6 +25,11 @@ static double mixed(mt_scale scale, double a, double b) {
     return scale.a * a + scale.b * b;
 }
 
+/* Past the ends a class may come to what it cannot be. */
+static double within(double value, double least, double most) {
+    return fmin(fmax(value, least), most);
+}
+
 /* Where only one font has its typographic lines used, the other's are hhea's, and the blend's are used: lines are then as
  * far apart as something between the two fonts' own. The ends do as their fonts do. */
 static void settle_lines(mt_metrics *a, mt_metrics *b, double t) {
@@ -62,8 +67,8 @@ static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale
         .superscript_offset = {mixed(s, a->superscript_offset[0], b->superscript_offset[0]),
                                mixed(s, a->superscript_offset[1], b->superscript_offset[1])},
         .italic_angle = mixed(plain, a->italic_angle, b->italic_angle),
-        .weight_class = mixed(plain, a->weight_class, b->weight_class),
-        .width_class = mixed(plain, a->width_class, b->width_class),
+        .weight_class = within(mixed(plain, a->weight_class, b->weight_class), 1, 1000),
+        .width_class = within(mixed(plain, a->width_class, b->width_class), 1, 9),
         .caret_offset = mixed(s, a->caret_offset, b->caret_offset),
         .vhea_ascender = mixed(s, a->vhea_ascender, b->vhea_ascender),
         .vhea_descender = mixed(s, a->vhea_descender, b->vhea_descender),

@@ -1,6 +1,8 @@
 /* The one place where glyphs are read for a morph and where mt_morph_prepare is called. */
 #include "blend/pair.h"
 
+#include <math.h>
+
 #include "blend/slant.h"
 #include "geometry/limits.h"
 #include "geometry/layers.h"
@@ -97,4 +99,16 @@ mt_status mt_pair_prepare_char(mt_row *row, uint32_t code_point, mt_arena *arena
     uint32_t b = row->font_count > 1 ? mt_given_glyph(&row->pairs, row->fonts, 1, code_point) : MT_NO_PARTNER;
     pthread_mutex_unlock(&row->lock);
     return a && b ? mt_pair_prepare(row, 0, a, b, arena, pair) : MT_NO_GLYPH;
+}
+
+/* ---- past the ends ------------------------------------------------------------------------------------- */
+
+mt_status mt_pair_reach(const mt_glyph_pair *pair, mt_reach wanted, const mt_params *params, mt_arena *arena,
+                        mt_reach *reach) {
+    double a = pair->room_a.advance, b = pair->room_b.advance;
+    mt_status status = mt_morph_reach(&pair->morph, wanted, params, arena, reach);
+    if (status != MT_OK) return status;
+    if (b < a) reach->to = fmin(reach->to, fmax(1, a / (a - b)));
+    if (a < b) reach->from = fmax(reach->from, fmin(0, a / (a - b)));
+    return MT_OK;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "blend/row.h"
+#include "morph/check/reach.h"
 #include "morph/model/morph.h"
 #include "write/font_data.h"
 
@@ -46,6 +47,11 @@ mt_status mt_pair_prepare_by(mt_row *row, int step, uint32_t a, uint32_t b, cons
 
 /* The same of a character between the first two fonts, or of a row's one font. MT_NO_GLYPH when a font lacks it. */
 mt_status mt_pair_prepare_char(mt_row *row, uint32_t code_point, mt_arena *arena, mt_glyph_pair *pair);
+
+/* How far past its ends a prepared pair goes on: as its morph does (check/reach.h), and as far as its room is not less than none.
+ * As mt_morph_reach. */
+mt_status mt_pair_reach(const mt_glyph_pair *pair, mt_reach wanted, const mt_params *params, mt_arena *arena,
+                        mt_reach *reach);
 
 /* The room at a place between two glyphs. */
 static inline mt_glyph_room mt_room_between(const mt_glyph_room *a, const mt_glyph_room *b, double t) {

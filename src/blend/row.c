@@ -169,6 +169,12 @@ void mt_row_report_cut_short(mt_row *row, const mt_glyph_note *note) {
     pthread_mutex_unlock(&row->lock);
 }
 
+void mt_row_report_held(mt_row *row, const mt_glyph_note *note) {
+    pthread_mutex_lock(&row->lock);
+    if (row->held) row->held(note, row->held_user);
+    pthread_mutex_unlock(&row->lock);
+}
+
 static void on_failure(mt_row *row, mt_glyph_noted call, void *user) {
     row->failure = call;
     row->failure_user = user;
@@ -230,6 +236,11 @@ void mt_blend_on_unblended(mt_blend *blend, mt_glyph_noted call, void *user) {
 
 void mt_blend_on_cut_short(mt_blend *blend, mt_glyph_noted call, void *user) {
     on_cut_short(&blend->row, call, user);
+}
+
+void mt_blend_on_held(mt_blend *blend, mt_glyph_noted call, void *user) {
+    blend->row.held = call;
+    blend->row.held_user = user;
 }
 
 void mt_blend_on_left_out(mt_blend *blend, mt_left_out_noted call, void *user) {

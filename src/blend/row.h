@@ -42,9 +42,10 @@ typedef struct mt_row {
     mt_glyph_failed failed;
     mt_glyph_noted failure, kept; /* of glyphs that could not be blended, and of those without a partner */
     mt_glyph_noted cut_short;     /* of those whose effort was spent early */
+    mt_glyph_noted held;          /* of those that stay short of a T outside 0 … 1 */
     mt_left_out_noted left_out;
     mt_progress progress;
-    void *failed_user, *failure_user, *kept_user, *cut_short_user, *left_out_user, *progress_user;
+    void *failed_user, *failure_user, *kept_user, *cut_short_user, *held_user, *left_out_user, *progress_user;
     pthread_mutex_t lock;
 } mt_row;
 
@@ -87,3 +88,5 @@ void mt_row_pass_progress(int done, int all, void *user);
 void mt_row_report(mt_row *row, const mt_glyph_note *note);
 /* The same, that its effort was spent before all ways were tried. */
 void mt_row_report_cut_short(mt_row *row, const mt_glyph_note *note);
+/* The same, that it stays at note->t. */
+void mt_row_report_held(mt_row *row, const mt_glyph_note *note);

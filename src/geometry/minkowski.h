@@ -10,7 +10,7 @@ typedef struct mt_weights {
     int32_t a, b;
 } mt_weights;
 
-/* Weights for T = t, 0 … 1: a = 1 - t, b = t, to the nearest 2^-20. */
+/* Weights for T = t, -1 … 2: a = 1 - t, b = t, to the nearest 2^-20; sums want 0 … 1. */
 mt_weights mt_weights_at(double t);
 
 /* (a·p + b·q) / MT_WEIGHT_ONE, to the nearest grid point, halves up. Gives p back when p and q are equal. */

@@ -9,6 +9,6 @@ mt_places mt_places_of_fonts(double at[MT_STOPS_MAX], mt_var_store *store) {
 
 mt_between mt_between_at(const mt_places *places, int i) {
     double at = places->at[i];
-    int last = places->font_count - 2, first = at < last ? (int)at : last;
+    int last = places->font_count - 2, first = at < 0 ? 0 : at < last ? (int)at : last;
     return (mt_between){first, at - first};
 }

@@ -18,7 +18,8 @@ typedef struct mt_places {
 /* All fonts of the store, with room for their places in `at`. */
 mt_places mt_places_of_fonts(double at[MT_STOPS_MAX], mt_var_store *store);
 
-/* The two fonts that a place lies between: `first` and the one after it, so far from the first (0 … 1). */
+/* The two fonts that a place lies between: `first` and the one after it, so far from the first (0 … 1); past the first or the last font
+ * those that are nearest, and so far before or past them. */
 typedef struct mt_between {
     int first;
     double t;

@@ -169,7 +169,8 @@ static void put_legend(mt_page *page) {
         (int)MT_CRUMB, (int)MT_REPORT_KINK_MIN, (int)MT_REPORT_KINK_MAX);
     put(page,
         "Counts read: first font / least–most in between / second font. Bend is the ink’s largest distance "
-        "from the straight line between the ends.</small></p>\n");
+        "from the straight line between the ends. Reach: the T from and to which blend goes on past the "
+        "ends.</small></p>\n");
 }
 
 /* ---- the tables ---------------------------------------------------------------------------------------- */
@@ -191,6 +192,13 @@ static void put_counts(mt_page *page, const mt_report_glyph *glyph, mt_report_fl
     put_format(page, " / %d</td>", b);
 }
 
+/* "−0.44 … 1.31", in whole hundredths, inwards. */
+static void put_reach(mt_page *page, const mt_reach *reach) {
+    int64_t before = (int64_t)floor(-100 * reach->from), past = (int64_t)floor(100 * reach->to);
+    put_format(page, "<td>%s%" PRId64 ".%02" PRId64 " … %" PRId64 ".%02" PRId64 "</td>", before ? "−" : "",
+               before / 100, before % 100, past / 100, past % 100);
+}
+
 static void put_figures(mt_page *page, const mt_report_glyph *glyph) {
     double bend = mt_report_ink_bend(glyph);
     int64_t hundredths = llround(glyph->severity * 100);
@@ -202,6 +210,7 @@ static void put_figures(mt_page *page, const mt_report_glyph *glyph) {
     put_percent(page, bend < 0 ? "−" : "+", bend);
     put_format(page, "</td><td>%d / %d / %d</td><td>%d</td>", glyph->drawing_a.points,
                glyph->drawing_half.points, glyph->drawing_b.points, mt_report_kinks(glyph));
+    put_reach(page, &glyph->reach);
 }
 
 /* The character that leads to the glyph, or the glyph's name. */
@@ -226,7 +235,7 @@ static void put_row(mt_page *page, const mt_report_glyph *glyph) {
     if (glyph->status == MT_OK)
         put_figures(page, glyph);
     else
-        put(page, "<td colspan=\"7\"></td>");
+        put(page, "<td colspan=\"8\"></td>");
     put(page, "</tr>\n");
 }
 
@@ -250,7 +259,7 @@ static void put_glyph(mt_page *page, int index) {
     const mt_report_glyph *glyph = &page->report->glyphs[index];
     put(page, "<tbody>");
     put_row(page, glyph);
-    put(page, "<tr><td class=\"look\" colspan=\"8\">");
+    put(page, "<tr><td class=\"look\" colspan=\"9\">");
     put_reasons(page, glyph);
     put_strip(page, index);
     put(page, "</td></tr></tbody>\n");
@@ -261,7 +270,7 @@ static void begin_table(mt_page *page) {
     put(page, "<th scope=\"col\">Glyph</th><th scope=\"col\">Severity</th><th scope=\"col\">Method</th><th "
               "scope=\"col\">Components</th>"
               "<th scope=\"col\">Holes</th><th scope=\"col\">Bend</th><th scope=\"col\">Points</th>"
-              "<th scope=\"col\">Kinks</th></tr></thead>\n");
+              "<th scope=\"col\">Kinks</th><th scope=\"col\">Reach</th></tr></thead>\n");
 }
 
 static void put_flagged(mt_page *page) {

@@ -87,6 +87,10 @@ static void add_end(mt_json *json, const char *key, const mt_topology *ink,
 static void add_figures(mt_json *json, const mt_report_glyph *glyph) {
     mt_json_text(json, "method", mt_report_method_name(glyph->method));
     mt_json_bool(json, "proved", glyph->proved);
+    mt_json_array(json, "reach");
+    mt_json_number(json, NULL, glyph->reach.from);
+    mt_json_number(json, NULL, glyph->reach.to);
+    mt_json_array_end(json);
     add_end(json, "a", &glyph->ink_a, &glyph->drawing_a);
     add_end(json, "b", &glyph->ink_b, &glyph->drawing_b);
     mt_json_array(json, "between");

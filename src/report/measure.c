@@ -169,6 +169,11 @@ static mt_status begin(mt_glyph_task *task, void *user, bool *wanted) {
     return MT_OK;
 }
 
+static mt_status measure_reach(const mt_glyph_task *task, mt_report_glyph *glyph) {
+    const mt_reach farthest = {-MT_REACH_MOST, 1 + MT_REACH_MOST};
+    return mt_pair_reach(&task->pair, farthest, &task->making->row->params, task->scratch, &glyph->reach);
+}
+
 static mt_status take(mt_glyph_task *task, mt_status prepared, void *user) {
     const mt_report_figures *figures = user;
     const mt_making *making = task->making;
@@ -178,6 +183,7 @@ static mt_status take(mt_glyph_task *task, mt_status prepared, void *user) {
     glyph->of = making->set.charset.glyphs[task->glyph];
     if (status == MT_OK)
         status = mt_report_measure(&task->pair, &making->row->params, making->units, task->scratch, glyph);
+    if (status == MT_OK && figures->reach) status = measure_reach(task, glyph);
     if (status == MT_NO_MEMORY) return status;
     glyph->status = status;
     mt_report_judge(glyph);

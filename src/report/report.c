@@ -53,7 +53,7 @@ static mt_status collect(const mt_making *making, const mt_report_figures *figur
 
 mt_status mt_report_make(mt_row *row, mt_report *report) {
     mt_report made = {.row = row};
-    mt_report_figures figures = {0};
+    mt_report_figures figures = {.reach = true};
     mt_making making = {.sinks = {mt_report_sink(&figures)}, .sink_count = 1};
     mt_charset_request request = mt_row_request(row);
     request.set = MT_GLYPHS_BOTH;

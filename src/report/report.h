@@ -66,6 +66,7 @@ typedef struct mt_report_glyph {
     mt_status status; /* other than MT_OK: all that follows but flags and severity is 0 */
     mt_report_method method;
     bool proved;              /* counts are in the ends' range at every T, not only where they are measured */
+    mt_reach reach;           /* how far it goes on past its ends (blend/pair.h); where that is measured */
     mt_topology ink_a, ink_b; /* as the fonts draw them */
     mt_topology ink[MT_REPORT_STEPS];
     mt_appearance seen[MT_REPORT_STEPS];                  /* of each place by itself */
@@ -116,6 +117,7 @@ const char *mt_report_method_name(mt_report_method method);
 /* What a sink (blend/making.h) measures. */
 typedef struct mt_report_figures {
     bool mapped_only; /* glyphs that no character leads to are not looked at */
+    bool reach;       /* how far glyphs go on past their ends is measured, too */
     int step_count, glyph_count;
     mt_report_glyph **steps; /* of each step, the new font's glyphs; all NULL until the glyphs are known */
 } mt_report_figures;

@@ -265,9 +265,10 @@ mt_status mt_contour_pair_fit(const mt_ring_samples *a, const mt_ring_samples *b
     return status;
 }
 
-/* The contour's displacement at these weights. */
+/* The contour's displacement at these weights; none past the ends. */
 static mt_point displacement_at(const mt_contour_pair *masters, mt_weights weights) {
-    mt_weights share = {0, 2 * (weights.a < weights.b ? weights.a : weights.b)};
+    int32_t nearer = weights.a < weights.b ? weights.a : weights.b;
+    mt_weights share = {0, nearer > 0 ? 2 * nearer : 0};
     share.a = MT_WEIGHT_ONE - share.b;
     return mt_mix(share, (mt_point){0, 0}, masters->displacement);
 }
