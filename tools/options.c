@@ -396,13 +396,13 @@ static int read_fonts(const cli_command *command, int count, char **names, cli_o
 }
 
 /* Options that exclude each other. */
-static int check_together(const cli_options *options) {
+static int check_together(const cli_command *command, const cli_options *options) {
     const struct {
         bool first, second;
         const char *names[2];
     } pairs[] = {
         {options->at_count, options->steps, {"--at", "--steps"}},
-        {options->text, options->chars_file, {"--text", "--chars"}},
+        {options->text && !command->text_with_chars, options->chars_file, {"--text", "--chars"}},
         {options->alternates, options->no_layout, {"--alternates", "--no-layout"}},
         {options->quiet, options->verbose, {"--quiet", "--verbose"}},
         {options->own_stops, options->map_count, {"--axis TAG", "--avar"}},
@@ -433,7 +433,7 @@ int options_read(const cli_command *command, int argc, char **argv, cli_options 
         outcome = known ? read_option(command, options, (char)letter, optarg)
                         : refuse(command, letter, argv[optind - 1]);
     }
-    if (outcome == GO_ON) outcome = check_together(options);
+    if (outcome == GO_ON) outcome = check_together(command, options);
     return outcome == GO_ON ? read_fonts(command, argc - optind, argv + optind, options) : outcome;
 }
 

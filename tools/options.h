@@ -60,7 +60,8 @@ struct cli_command {
     cli_example examples[CLI_EXAMPLES]; /* those that are not used are all zero */
     const char *reads, *writes;         /* extensions of files, with blanks between */
     const char *takes;                  /* the letters of its own options */
-    const char *leaves; /* of those of every other command it does not take these; NULL: takes all */
+    const char *leaves;   /* of those of every other command it does not take these; NULL: takes all */
+    bool text_with_chars; /* --text may stand beside --chars */
     int fonts_min, fonts_max;
     double at_past;                   /* how far past the ends --at may be */
     int (*run)(cli_options *options); /* an exit code */

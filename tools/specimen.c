@@ -53,15 +53,17 @@ const cli_command specimen_command = {
     .name = "specimen",
     .summary = "a page to try out the variable font of two fonts, or more",
     .synopsis = "FONT FONT [FONT...] -o OUT.html [OPTION...]",
-    .text = "Makes the font that variable makes, of the same characters, and a page of HTML that has it "
-            "in it: a slider and a play button for its axis, a text to type in, its sizes, and all "
-            "characters, with those marked that report flags."
-            "\n--text is the text that the page begins with, too. The page is one file and fetches "
-            "nothing.",
+    .text =
+        "Makes the font that variable makes, of the same characters, and a page of HTML that has it "
+        "in it: a slider and a play button for its axis, a text to type in, its sizes, and all "
+        "characters, with those marked that report flags."
+        "\n--text is the text that the page begins with, too; with --chars, only that. The page is one file "
+        "and fetches nothing.",
     .examples = {{"A page to try the variable font on:", "morphotype specimen A.ttf B.otf -o specimen.html"}},
     .reads = CLI_FONT_FILES,
     .writes = "html",
     .takes = "otcFGELSP",
+    .text_with_chars = true,
     .fonts_min = 2,
     .fonts_max = MT_VARIABLE_FONTS_MAX,
     .run = run,

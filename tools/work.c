@@ -174,8 +174,8 @@ int characters_choose(const cli_options *options, mt_font *const *fonts, int cou
     const char_source source = {options, fonts, count, pairs};
     notation reader = {.font = fonts[0]};
     if (!options->text && !options->chars_file) return DONE;
-    int outcome =
-        options->text ? choose_text(&source, &reader, chosen, text) : choose_file(&source, &reader, chosen);
+    int outcome = options->text ? choose_text(&source, &reader, chosen, text) : DONE;
+    if (outcome == DONE && options->chars_file) outcome = choose_file(&source, &reader, chosen);
     notation_close(&reader);
     return outcome;
 }

@@ -72,6 +72,7 @@ class Editor(InChromium):
     ARGUMENTS = ('--text', 'k6W')
     READY = 'return document.getElementById("say") !== null'
     HAS_FONT = False
+    START = ''
 
     @classmethod
     def make_fonts(cls):

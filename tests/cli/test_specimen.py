@@ -14,7 +14,7 @@ import harfbuzz
 from fontTools import ttLib
 from test_report import Reader
 
-IN_CHROMIUM = ('Grid', 'Names', 'Phone', 'Play', 'Slider', 'Text')
+IN_CHROMIUM = ('Grid', 'Names', 'Phone', 'Play', 'Sending', 'Slider', 'Text')
 LETTERS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ abcdefghijklmnopqrstuvwxyz'
 OTHERS = '0123456789.,-&ΑΩαωЖдж'
 
@@ -83,6 +83,10 @@ class Content(Specimen):
         self.assertEqual((data['family'], data['text'], data['method']), ('Between', 'dBж1Ω. А', 'joint'))
         self.assertEqual([source['file'] for source in data['sources']], [cli.SANS_BOLD.name, cli.SERIF.name])
         self.assertIn('Bitstream', data['sources'][0]['copyright'])
+
+    def test_characters_and_a_first_text(self):
+        data = data_of(self.specimen('--chars', self.write('chars', 'ABCDEF é'), '--text', 'Cab', '-q'))
+        self.assertEqual((sorted(''.join(group['characters'] for group in data['groups'])), data['text']), (sorted('ABCDEFabé'), 'Cab'))
 
     def test_a_whole_font(self):
         font = cli.cut_font(self.path('cut.ttf'), 'ABCéж')
@@ -200,6 +204,7 @@ class InChromium(unittest.TestCase):
     ARGUMENTS = ('--family', 'Between')
     READY = 'return !document.getElementById("play").disabled'
     HAS_FONT = True
+    START = '#0'
     BLANK = 'Q' # the second font has no ink for it, so that it is flagged
     WINDOW = {}
 
@@ -224,9 +229,10 @@ class InChromium(unittest.TestCase):
         self.browser.requests()
         self.open(self.page)
 
-    def open(self, page, place=''):
+    def open(self, page, place=None):
         self.opened.append(page.as_uri())
-        self.browser.open(page.as_uri() + place)
+        self.browser.open('about:blank') # or else another place of the same page would be the page as it is
+        self.browser.open(page.as_uri() + (self.START if place is None else place))
         self.wait(self.READY)
 
     def tearDown(self):
@@ -336,6 +342,88 @@ class Slider(InChromium):
         self.browser.type('#at', 'Right')
         self.assertEqual(self.browser.run('return document.getElementById("at").getAttribute("aria-valuetext")'),
                          '1 of 100 from DejaVu Sans Bold to DejaVu Serif Book')
+
+
+class Sending(InChromium):
+    """What is seen goes into the address, onto paper and into files."""
+
+    def test_it_opens_half_way(self):
+        self.open(self.page, '')
+        self.assertEqual(self.place(), 50)
+
+    def address(self):
+        return self.browser.run('return location.hash')
+
+    def test_the_address_restores_what_is_seen(self):
+        self.browser.run('document.getElementById("text").textContent = "Hamburg & 24"')
+        self.browser.type('#text', 'End', '!')
+        self.browser.type('#at', 'Home', 'Right', 'Right')
+        self.browser.type('#size', 'Home')
+        self.browser.type('#tracking', 'End')
+        self.browser.run('document.getElementById("show-features").click()')
+        self.browser.click('.features [data-tag="kern"]')
+        states = 'return ["at", "size", "tracking"].map(id => document.getElementById(id).value)'
+        address, state = self.address(), self.browser.run(states)
+        self.assertIn('features=-kern', address)
+        self.open(self.page, address)
+        self.assertEqual((self.browser.run(states), self.text_of('#text')), (state, 'Hamburg & 24!'))
+        self.browser.run('document.getElementById("show-features").click()')
+        self.assertEqual(self.browser.run('return document.querySelector(".features [data-tag=kern]").ariaPressed'), 'false')
+        self.browser.run('document.getElementById("show-features").click(); document.getElementById("text").blur()')
+        self.browser.run('return new Promise(done => setTimeout(done, 100))')
+        self.assertEqual(self.address(), address)
+        self.browser.run('document.getElementById("text").focus()')
+
+    def test_a_damaged_address(self):
+        for address in ('#at=nan&size=x&tracking=%ff&features=,,&paragraph', '#at=-5&size=1e9', '#%', '#at=1e400'):
+            self.open(self.page, address)
+            self.assertTrue(0 <= self.place() <= 100)
+
+    def test_everything_is_printed_where_the_slider_stands(self):
+        self.open(self.page, '#at=50')
+        self.browser.devtools('Page.printToPDF')
+        places = self.browser.run('return [...document.querySelectorAll(".rows")].map(each => each.style.getPropertyValue("--at"))')
+        self.assertEqual(set(places), {'50'})
+
+    def test_tracking(self):
+        before = self.width()
+        self.browser.type('#tracking', 'End')
+        size = float(self.browser.run('return parseFloat(document.getElementById("text").style.fontSize)'))
+        letters = len(self.text_of('#text'))
+        self.assertAlmostEqual(self.width() - before, 0.3 * size * letters, delta=1)
+
+    def width(self):
+        return self.browser.run("""const range = document.createRange(), text = document.getElementById('text');
+            text.style.whiteSpace = 'nowrap';
+            range.selectNodeContents(text);
+            return range.getBoundingClientRect().width""")
+
+    def test_paragraph(self):
+        self.browser.click('#paragraph')
+        self.assertEqual(self.text_of('#pixels'), '18 px')
+        self.assertGreater(len(self.text_of('#text')), 400)
+        self.assertLess(self.box('#text')[2], 18 * 35)
+
+    def test_both_ends_are_drawn_over(self):
+        self.browser.click('.cell[data-character="g"]')
+        before = self.picture('#stage')
+        self.browser.click('#ends')
+        self.assertNotEqual(self.picture('#stage'), before)
+
+    def test_the_font_and_its_style_are_saved(self):
+        self.browser.devtools('Browser.setDownloadBehavior', behavior='allow', downloadPath=str(self.directory))
+        self.browser.devtools('Browser.grantPermissions', permissions=['clipboardReadWrite', 'clipboardSanitizedWrite'])
+        self.browser.click('#woff2')
+        saved, end = self.directory / 'Between.woff2', time.monotonic() + 20
+        while not saved.exists() and time.monotonic() < end:
+            time.sleep(0.05)
+        self.assertIn('fvar', ttLib.TTFont(saved))
+        self.browser.type('#at', 'Home', 'Right')
+        self.browser.click('#css')
+        self.wait('return document.getElementById("exported").textContent.includes("CSS")')
+        text = self.browser.run('return navigator.clipboard.readText()')
+        self.assertIn('font-variation-settings: "MORF" 1;', text)
+        self.assertIn('src: url("Between.woff2") format("woff2");', text)
 
 
 class Play(InChromium):

@@ -4,11 +4,19 @@
 function listen() {
   const heard = [
     ['at', 'input', () => movePlace(at('at').value)], ['at', 'keydown', moveByKey], ['play', 'click', togglePlay],
-    ['text', 'input', showText], ['size', 'input', showSize], ['vertical', 'click', toggleVertical],
+    ['text', 'input', showText], ['size', 'input', showSize], ['tracking', 'input', showTracking],
+    ['vertical', 'click', toggleVertical], ['paragraph', 'click', toggleParagraph], ['ends', 'click', toggleEnds],
+    ['css', 'click', copyCss], ['woff2', 'click', saveFont],
     ['show-features', 'click', showFeatures], ['grid', 'keydown', moveInGrid], ['close', 'click', closeGlyph],
   ];
   for (const [id, event, listener] of heard) at(id).addEventListener(event, listener);
-  addEventListener('hashchange', () => movePlace(placeOfAddress()));
+  for (const [id, event] of [['text', 'input'], ['size', 'change'], ['tracking', 'change'], ['vertical', 'click'], ['paragraph', 'click']])
+    at(id).addEventListener(event, writeAddress);
+  addEventListener('hashchange', () => {
+    stop();
+    followAddress();
+  });
+  addEventListener('beforeprint', showForPrint);
   at('grid').addEventListener('click', event => {
     const cell = event.target.closest('.cell');
     if (cell) openGlyph(cell);
@@ -49,7 +57,7 @@ try {
   at('sources').append(...data.sources.map(makeSource));
   fillColophon();
   listen();
-  showPlace(placeOfAddress());
+  followAddress();
   for (const id of ['family', 'text', 'waterfall', 'glyph']) follow(at(id));
   await loadFont();
 } catch (error) {

@@ -24,7 +24,7 @@ function closeGlyph() {
 function showGlyph(character) {
   const reasons = (flagged.get(character) ?? []).map(reason => make('li', {textContent: reason}));
   if (still.has(character)) reasons.push(make('li', {className: 'still', textContent: STILL}));
-  at('large').textContent = shown(character);
+  for (const id of ['large', 'large-first', 'large-last']) at(id).textContent = shown(character);
   at('code').textContent = codeOf(character);
   at('reasons').replaceChildren(...reasons);
   for (const place of at('places').querySelectorAll('.face')) place.textContent = shown(character);

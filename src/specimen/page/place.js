@@ -12,13 +12,11 @@ function showPlace(value) {
 function movePlace(value) {
   stop();
   showPlace(value);
+  writeAddress();
 }
 
-/* page.html#50 begins half-way. */
-const placeOfAddress = () => clamp(parseFloat(location.hash.slice(1)) || 0, 0, 100);
-
 /* What is out of sight keeps the place that it was seen at last: so it costs nothing, and pushes nothing about. */
-const inSight = new Set();
+const inSight = new Set(), followers = new Set();
 const sight = new IntersectionObserver(entries => {
   for (const {target, isIntersecting} of entries) {
     if (isIntersecting) inSight.add(target);
@@ -27,11 +25,20 @@ const sight = new IntersectionObserver(entries => {
   }
 }, {rootMargin: '200px'});
 
-const follow = element => sight.observe(element);
+function follow(element) {
+  followers.add(element);
+  sight.observe(element);
+}
 
 function forget(element) {
+  followers.delete(element);
   sight.unobserve(element);
   inSight.delete(element);
+}
+
+/* On paper everything is in sight. */
+function showForPrint() {
+  for (const element of followers) element.style.setProperty('--at', at('at').value);
 }
 
 /* An arrow key goes by one, or by ten with Shift; the finer steps are the pointer's. */
@@ -66,6 +73,7 @@ function togglePlay() {
 
 function stop() {
   cancelAnimationFrame(playing);
+  if (playing) writeAddress();
   playing = 0;
   showPlaying();
 }

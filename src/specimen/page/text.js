@@ -35,8 +35,10 @@ function firstText(samples) {
   return [...characters].filter(character => !BLANK.test(character)).slice(0, 24).join('');
 }
 
+const textNow = () => at('text').innerText.replace(/\n$/, '');
+
 function showText() {
-  const text = at('text').innerText.replace(/\n$/, ''), line = text.split('\n').find(part => part.trim()) ?? '';
+  const text = textNow(), line = text.split('\n').find(part => part.trim()) ?? '';
   const missing = [...new Set(text)].filter(character => /\S/.test(character) && !characters.has(character));
   if (!text) at('text').replaceChildren();
   for (const span of at('waterfall').querySelectorAll('span')) span.textContent = line;
@@ -52,7 +54,10 @@ function setText(text) {
 function fillSamples(samples) {
   if (samples.length < 2) return;
   at('samples').append(...samples.map(([name, text]) =>
-    make('button', {type: 'button', className: 'choice', textContent: name, onclick: () => setText(text)})));
+    make('button', {type: 'button', className: 'choice', textContent: name, onclick: () => {
+      setText(text);
+      writeAddress();
+    }})));
 }
 
 /* Browsers that know no plain text to edit take any, which comes out as plain text. */
@@ -63,6 +68,18 @@ function makeEditable() {
 function toggleVertical() {
   const vertical = at('text').classList.toggle('upright');
   at('vertical').setAttribute('aria-pressed', vertical);
+}
+
+/* Set as a paragraph is: small, in a measure, with room between the lines; the text is repeated until it is one. */
+const PARAGRAPH_SIZE = 18, PARAGRAPH_LENGTH = 480; /* pixels, characters */
+
+function toggleParagraph() {
+  const paragraph = at('text').classList.toggle('paragraph'), text = textNow().trim();
+  at('paragraph').setAttribute('aria-pressed', paragraph);
+  if (!paragraph) return;
+  at('size').value = wayOf(PARAGRAPH_SIZE);
+  showSize();
+  if (text && text.length < PARAGRAPH_LENGTH) setText(Array(Math.ceil(PARAGRAPH_LENGTH / text.length)).fill(text).join(' '));
 }
 
 /* Scripts that are set in columns too. */
@@ -79,6 +96,13 @@ function showSize() {
   at('text').style.fontSize = `${size}px`;
   at('pixels').value = `${size} px`;
   at('size').setAttribute('aria-valuetext', `${size} pixels`);
+}
+
+/* Between letters, thousandths of the em. */
+function showTracking() {
+  const tracking = Number(at('tracking').value);
+  at('text').style.letterSpacing = tracking ? `${tracking / 1000}em` : '';
+  at('tracked').value = tracking > 0 ? `+${tracking}` : String(tracking).replace('-', '−');
 }
 
 /* ---- all sizes ---- */
@@ -119,11 +143,27 @@ function featureName(tag) {
 
 const isPressed = button => button.getAttribute('aria-pressed') === 'true';
 
+const featureButtons = () => [...at('features').children];
+
+/* As CSS has them: "liga" 0, "smcp" 1. */
+const featureSettings = () => featureButtons().map(button => `"${button.dataset.tag}" ${isPressed(button) ? 1 : 0}`).join(', ');
+
 function toggleFeature(event) {
-  const buttons = [...at('features').children];
   event.currentTarget.setAttribute('aria-pressed', !isPressed(event.currentTarget));
-  const settings = buttons.map(button => `"${button.dataset.tag}" ${isPressed(button) ? 1 : 0}`);
-  root.style.setProperty('--features', settings.join(', '));
+  root.style.setProperty('--features', featureSettings());
+  writeAddress();
+}
+
+/* Those that are not as they are by themselves: smcp, -liga. */
+const changedFeatures = () => featureButtons().filter(button => isPressed(button) !== ON_BY_THEMSELVES.includes(button.dataset.tag))
+  .map(button => (isPressed(button) ? '' : '-') + button.dataset.tag);
+
+function setFeatures(changed) {
+  for (const button of featureButtons()) {
+    const {tag} = button.dataset;
+    button.setAttribute('aria-pressed', changed.includes(tag) || ON_BY_THEMSELVES.includes(tag) && !changed.includes(`-${tag}`));
+  }
+  root.style.setProperty('--features', featureSettings());
 }
 
 function makeFeature(tag) {
