@@ -274,7 +274,7 @@ MT_API int mt_variable_unblended(const mt_variable *variable);
  * weight, width or slant; any other is of capitals and digits. MT_BAD_PARAMETER. */
 MT_API mt_status mt_variable_set_axis(mt_variable *variable, const char *tag, double from, double to);
 
-/* The fonts as a family: each at a value of its own on the axis, as many as there are fonts, ascending by at least 0.01. Without a setting
+/* The fonts as a family: each at a value of its own on the axis, as many as there are fonts, ascending; 0.01 is always enough. Without a setting
  * the font stands at the plain one (a weight of 400, a width of 100, a slant of 0) where a font has that, otherwise at the first. Its named
  * places are the fonts', by their names, and its family is what their families' names have in common, unless one is set. It takes the place
  * of mt_variable_set_axis, has the same tags, and no map with it. Copied. MT_BAD_PARAMETER, MT_NO_MEMORY. */

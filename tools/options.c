@@ -169,7 +169,7 @@ static int refuse_axis(const cli_options *options, const char *argument) {
 
 /* TAG alone: fonts stand where they say, or where --stops does. Whether the axis may be one depends on where that is. */
 static int read_family_axis(cli_options *options, const char *argument) {
-    uint32_t tag;
+    uint32_t tag = 0;
     const double plain = mt_axis_tag_read(argument, &tag) ? mt_axis_plain(tag) : NAN;
     mt_axis axis = {.tag = tag, .from = isnan(plain) ? 1 : plain};
     axis.to = axis.from + 1;

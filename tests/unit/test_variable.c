@@ -1,4 +1,5 @@
 /* The public variable font: what it takes, what it writes where, and want of memory. */
+#include <math.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -95,6 +96,59 @@ static void maps_are_checked(void **state) {
     close_row(&row);
 }
 
+/* Stops that are refused leave the axis as it was. */
+static void stops_are_checked(void **state) {
+    (void)state;
+    static const double good[] = {100, 400, 900}, same[] = {100, 400, 400}, falling[] = {400, 100, 900},
+                        out[] = {0, 400, 900}, none[] = {100, NAN, 900}, near[] = {100, 899.9999, 900},
+                        map[] = {50};
+    static const double *const bad[] = {same, falling, out, none, near};
+    font_row row = open_test_row();
+    uint8_t *bytes;
+    size_t length, table_length;
+    mt_assert_ok(mt_variable_set_stops(row.variable, "wght", good));
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        assert_int_equal(mt_variable_set_stops(row.variable, "wght", bad[i]), MT_BAD_PARAMETER);
+    assert_int_equal(mt_variable_set_stops(row.variable, "weight", good), MT_BAD_PARAMETER);
+    assert_int_equal(mt_variable_set_stops(row.variable, "foob", good), MT_BAD_PARAMETER);
+    assert_int_equal(mt_variable_set_map(row.variable, map, map, 1), MT_BAD_PARAMETER);
+    mt_assert_ok(mt_variable_font(row.variable, &bytes, &length));
+    const uint8_t *fvar = mt_sample_table(bytes, "fvar", &table_length);
+    assert_non_null(fvar);
+    const int axis[] = {100, 400, 900};
+    for (int i = 0; i < 3; i++) assert_int_equal(mt_read_u16(fvar + 20 + 4 * i), axis[i]);
+    mt_bytes_free(bytes);
+    mt_assert_ok(mt_variable_set_axis(row.variable, "wght", 400, 900));
+    mt_assert_ok(mt_variable_set_map(row.variable, map, map, 1));
+    assert_int_equal(mt_variable_set_stops(row.variable, "wght", good), MT_BAD_PARAMETER);
+    close_row(&row);
+}
+
+/* Every so many requests fail in turn. */
+static void families_survive_want_of_memory(void **state) {
+    (void)state;
+    static const double stops[] = {100, 400, 900};
+    mt_status status = MT_NO_MEMORY;
+    font_row row = open_test_row();
+    close_row(&row);
+    for (long first = 0; status == MT_NO_MEMORY; first += first < 8 ? 1 : 83) {
+        uint8_t *bytes = NULL;
+        size_t length;
+        mt_allocation_watch();
+        mt_assert_ok(open_row(&row));
+        mt_allocation_fail(first, false);
+        status = mt_variable_set_stops(row.variable, "wght", stops);
+        if (status == MT_OK) status = mt_variable_font(row.variable, &bytes, &length);
+        mt_allocation_succeed();
+        mt_bytes_free(bytes);
+        close_row(&row);
+        long live = mt_allocation_live();
+        mt_allocation_unwatch();
+        assert_int_equal(live, 0);
+    }
+    mt_assert_ok(status);
+}
+
 static void remember(int done, int all, void *user) {
     int *last = user;
     assert_true(done >= last[0] && done <= all);
@@ -183,6 +237,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_of_fonts_are_checked),
         cmocka_unit_test(maps_are_checked),
+        cmocka_unit_test(stops_are_checked),
+        cmocka_unit_test(families_survive_want_of_memory),
         cmocka_unit_test(progress_goes_through_all_steps),
         cmocka_unit_test(format_is_by_extension),
         cmocka_unit_test(a_document_that_cannot_stand_leaves_nothing),
