@@ -5,16 +5,20 @@
 #include "messages.h"
 #include "signals.h"
 #include "sources.h"
+#include "standard_output.h"
 #include "suggest.h"
 
 #include <stdio.h>
 #include <string.h>
 
 static int obey(const cli_command *command, cli_options *options) {
-    int outcome = options->output ? sources_spare(options, options->output) : DONE;
+    standard_output printed;
     signals_watch();
+    int outcome = standard_output_begin(command, options, &printed);
+    if (outcome == DONE && options->output) outcome = sources_spare(options, options->output);
     if (outcome == DONE && options->output) mt_temporaries_clear(options->output);
-    return outcome == DONE ? command->run(options) : outcome;
+    if (outcome == DONE) outcome = command->run(options);
+    return standard_output_end(&printed, outcome);
 }
 
 static int run(const cli_command *command, int argc, char **argv) {

@@ -5,10 +5,11 @@
 #include <string.h>
 
 /* The letters that every command takes, unless it leaves them. */
-#define COMMON "fjqvhVMTwrmsRIHg"
+#define COMMON "fjqvhVMTwrmsRIHgZ"
 
 const option_row option_rows[] = {
-    {'o', true, "output", "FILE", NULL, "the file to write"},
+    {'o', true, "output", "FILE", NULL, "the file to write; - for stdout, with --format"},
+    {'Z', false, "format", "EXT", NULL, "what -o - writes: an extension that OUT may have"},
     {'a', false, "at", "T[,T...]", NULL,
      "places from 0 (the first) to 1 (the second); of blend, from -1 to 2"},
     {'n', false, "steps", "N", NULL, "N evenly spaced places, both ends among them (2 ... 1000)"},

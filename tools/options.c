@@ -285,6 +285,7 @@ static int read_param(cli_options *options, char letter, const char *argument) {
 static int read_option(const cli_command *command, cli_options *options, char letter, const char *argument) {
     switch (letter) {
     case 'o': return options->output = argument, GO_ON;
+    case 'Z': return options->format = argument, GO_ON;
     case 'a': return read_at(command, options, argument);
     case 'n': return read_int(options, "steps", argument, 2, MT_STEPS_MAX, &options->steps);
     case 't': return read_text(options, argument);

@@ -10,22 +10,22 @@ typedef struct cli_options {
     const char *command;
     const char *fonts[MT_VARIABLE_FONTS_MAX]; /* specs; the second NULL where there is one */
     int font_count;
-    const char *output;     /* NULL: not given */
-    double *at;             /* T's; from mt_new */
-    int at_count;           /* 0: not given */
-    double *map_values;     /* of --avar, and … */
-    double *map_places;     /* … how far the font has got there; from mt_new */
-    int map_count;          /* 0: not given */
-    int steps;              /* 0: not given */
-    char *text;             /* UTF-8; the --text arguments, a line each; NULL: not given */
-    const char *chars_file; /* NULL: not given */
-    const char *pairs_file; /* NULL: not given */
-    const char *hints_file; /* NULL: not given */
-    const char *family;     /* NULL: not given */
-    char *style_text;       /* from mt_new; the styles are cut out of it */
-    const char **styles;    /* from mt_new */
-    int style_count;        /* 0: not given */
-    char axis_tag[5];       /* "": not given */
+    const char *output, *format; /* NULL: not given */
+    double *at;                  /* T's; from mt_new */
+    int at_count;                /* 0: not given */
+    double *map_values;          /* of --avar, and … */
+    double *map_places;          /* … how far the font has got there; from mt_new */
+    int map_count;               /* 0: not given */
+    int steps;                   /* 0: not given */
+    char *text;                  /* UTF-8; the --text arguments, a line each; NULL: not given */
+    const char *chars_file;      /* NULL: not given */
+    const char *pairs_file;      /* NULL: not given */
+    const char *hints_file;      /* NULL: not given */
+    const char *family;          /* NULL: not given */
+    char *style_text;            /* from mt_new; the styles are cut out of it */
+    const char **styles;         /* from mt_new */
+    int style_count;             /* 0: not given */
+    char axis_tag[5];            /* "": not given */
     double axis_from, axis_to;
     bool own_stops;  /* --axis without them: each font at a place of its own */
     bool has_italic; /* of a family: it has italics in another file */
