@@ -3,6 +3,7 @@
 #include <hb-subset.h>
 #include <string.h>
 
+#include "gsub/tidy.h"
 #include "layout/lookup_builder.h"
 #include "sfnt/layout_face.h"
 #include "sfnt/sfnt.h"
@@ -33,6 +34,8 @@ static mt_status take_table(hb_face_t *face, uint32_t tag, mt_arena *arena, mt_b
     if (bytes && length) memcpy(bytes, from, length);
     hb_blob_destroy(blob);
     if (!bytes) return MT_NO_MEMORY;
+    if (tag == MT_TAG('G', 'S', 'U', 'B')) mt_tidy_scripts(bytes, length);
+    if (tag == MT_TAG('G', 'D', 'E', 'F')) mt_tidy_classes(bytes, length);
     *table = (mt_bytes){bytes, length};
     return MT_OK;
 }
