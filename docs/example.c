@@ -41,7 +41,8 @@ static void close_path(void *user) {
 /* The path goes into memory first: nothing is printed for a glyph that cannot be had, and the page is as wide
  * as the glyph. */
 static mt_status print_glyph(mt_blend *blend, const request *wanted) {
-    const mt_draw draw = {move_to, line_to, quadratic_to, close_path};
+    const mt_draw draw = {
+        .move_to = move_to, .line_to = line_to, .quadratic_to = quadratic_to, .close = close_path};
     int em = mt_blend_units_per_em(blend);
     double advance;
     char *path = NULL;

@@ -34,6 +34,9 @@ extern "C" {
 
 #define MORPHOTYPE_VERSION "0.1.0"
 
+/* The version of the library that runs, which is MORPHOTYPE_VERSION of the header that it was built with. */
+MT_API const char *mt_version(void);
+
 typedef enum mt_status {
     MT_OK = 0,
     MT_NO_MEMORY,      /* an allocation failed */
@@ -62,6 +65,7 @@ typedef enum mt_status {
     MT_TOO_COSTLY,  /* the work or memory that a glyph may take did not do: mt_params.effort */
     MT_BAD_MESH,    /* a file is no mesh, or a damaged one */
     MT_NOT_SOLID,   /* a mesh is not closed or not oriented, crosses itself, or is empty */
+    MT_STOPPED,     /* mt_blend_stop or mt_variable_stop was called */
 } mt_status;
 
 /* One line of English, without a full stop; static storage. */
@@ -74,6 +78,11 @@ typedef struct mt_font mt_font;
 /* Opens FILE[#FACE][@AXIS=VALUE,…][:FEATURE[=VALUE],…]: face FACE of a collection, counted from 0, at a place of a variable
  * font in user coordinates; its characters lead to the glyphs that the features of GSUB make of theirs, one by one. Reads TrueType, CFF, CFF2, Type 1, collections, WOFF and WOFF2, through FreeType. */
 MT_API mt_status mt_font_open(const char *spec, mt_font **font);
+/* The same of the bytes of such a file, which are copied. `name` stands for the font in warnings and need not be a file's; `choice` is what a
+ * spec has after FILE: "#1@wght=650". Either may be NULL. Kerning beside a Type 1 font is not looked for. MT_BAD_PARAMETER for a
+ * choice that begins with none of #, @ and :. */
+MT_API mt_status mt_font_open_memory(const uint8_t *bytes, size_t length, const char *name,
+                                     const char *choice, mt_font **font);
 MT_API void mt_font_close(mt_font *font); /* NULL is fine */
 
 /* From now on the font is as one without layout: no GSUB, GPOS, GDEF and kern, no kerning beside it, and no glyphs but those of
@@ -90,6 +99,25 @@ MT_API bool mt_font_next_char(const mt_font *font, uint32_t from, uint32_t *code
 /* The number of the glyph that a name stands for: the font's own name for it; gid12 for number 12; uni0661 for a character's; f_i
  * for the ligature of f and i. MT_NO_GLYPH, MT_ENDLESS_LOOKUPS, MT_NO_MEMORY. */
 MT_API mt_status mt_font_glyph_of_name(mt_font *font, const char *name, uint32_t *glyph);
+
+/* What draws an outline. Contours are closed: `close` comes after the last curve, which ends where the contour began. */
+typedef struct mt_draw {
+    void (*move_to)(double x, double y, void *user);
+    void (*line_to)(double x, double y, void *user);
+    void (*quadratic_to)(double cx, double cy, double x, double y, void *user);
+    void (*close)(void *user);
+    /* Only fonts' own outlines have cubic curves: NULL where none are drawn. */
+    void (*cubic_to)(double c1x, double c1y, double c2x, double c2y, double x, double y, void *user);
+} mt_draw;
+
+/* The number of the glyph that a character leads to, by the features of the font's spec too; in a symbol font, for a code up to U+00FF that is
+ * not mapped, that of U+F000 and the code, as HarfBuzz and Windows have it; 0 where there is none. */
+MT_API uint32_t mt_font_glyph(const mt_font *font, uint32_t code_point);
+MT_API int mt_font_units_per_em(const mt_font *font);
+/* Draws a glyph as the font has it, unhinted, references resolved and overlaps and all, in font units; y runs upwards. MT_NO_GLYPH for a number that the
+ * font has not, MT_BAD_GLYPH, MT_TOO_LARGE, MT_BAD_PARAMETER for cubic curves without a cubic_to, MT_NO_MEMORY. */
+MT_API mt_status mt_font_draw(mt_font *font, uint32_t glyph, const mt_draw *draw, void *user,
+                              double *advance);
 
 /* ---- blends -------------------------------------------------------------------------------------------- */
 
@@ -139,7 +167,7 @@ MT_API void mt_blend_free(mt_blend *blend); /* NULL is fine */
 /* Called once for each glyph that cannot be blended and takes the nearer font's own outline instead: with its character, or
  * the one that it is a form of, or 0 where there is none. */
 typedef void (*mt_glyph_failed)(uint32_t code_point, mt_status why, void *user);
-/* Called from time to time while a font is made: `done` of `all` glyphs. */
+/* Called after each glyph while a font is made: `done` of `all`, which grows by one from call to call. */
 typedef void (*mt_progress)(int done, int all, void *user);
 MT_API void mt_blend_on_failure(mt_blend *blend, mt_glyph_failed call, void *user);
 
@@ -163,6 +191,10 @@ MT_API void mt_blend_on_cut_short(mt_blend *blend, mt_glyph_noted call, void *us
 /* Called for each glyph that stays where its topology ends, note.t, short of a T outside 0 … 1 that was asked for (MT_TOO_LARGE). */
 MT_API void mt_blend_on_held(mt_blend *blend, mt_glyph_noted call, void *user);
 MT_API void mt_blend_on_progress(mt_blend *blend, mt_progress call, void *user);
+
+/* Stops the work: what is under way for the blend ends as soon as it can, and what is asked of it later ends at once, with MT_STOPPED; nothing is
+ * written. From any thread, and from the calls above. With false it works again, once nothing is under way. */
+MT_API void mt_blend_stop(mt_blend *blend, bool stop);
 
 /* Names the fonts that follow: the family NAME in place of a name made from both; NULL goes back to that. */
 MT_API mt_status mt_blend_set_family(mt_blend *blend, const char *name);
@@ -223,17 +255,100 @@ MT_API mt_status mt_blend_save(mt_blend *blend, double t, const char *path);
 MT_API mt_status mt_blend_save_fonts(mt_blend *blend, const double *t, int count, const char *const *paths);
 MT_API void mt_bytes_free(uint8_t *bytes);
 
-/* One glyph, drawn through callbacks in font units of mt_blend_units_per_em. Contours are closed; quadratic
- * curves. */
-typedef struct mt_draw {
-    void (*move_to)(double x, double y, void *user);
-    void (*line_to)(double x, double y, void *user);
-    void (*quadratic_to)(double cx, double cy, double x, double y, void *user);
-    void (*close)(void *user);
-} mt_draw;
+/* One glyph at t (0 … 1), in font units of mt_blend_units_per_em; a contour has lines and quadratic curves. MT_NO_GLYPH where a font lacks it,
+ * MT_BAD_PARAMETER, MT_NO_MEMORY, and why it cannot be blended; nothing is then drawn. */
 MT_API mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const mt_draw *draw,
                                 void *user, double *advance);
+/* The same of a glyph by its number in the first font, with the glyph that a blend of all characters pairs with it. */
+MT_API mt_status mt_blend_glyph_numbered(mt_blend *blend, uint32_t glyph, double t, const mt_draw *draw,
+                                         void *user, double *advance);
 MT_API int mt_blend_units_per_em(const mt_blend *blend);
+
+/* ---- judging ------------------------------------------------------------------------------------------- */
+
+/* What a picture is of: a character, or a glyph of the first font. */
+typedef struct mt_choice {
+    uint32_t code_point; /* of a character */
+    const char *name;    /* of a glyph, as it is to be shown, without a slash; NULL: it is a character */
+    uint32_t glyph;      /* its number in the first font */
+} mt_choice;
+
+/* What a picture may be asked for; beyond it is MT_BAD_PARAMETER. */
+#define MT_STEPS_MAX 1000
+#define MT_SIZE_MIN 4.0 /* picture units an em, or a cell */
+#define MT_SIZE_MAX 8192.0
+#define MT_TEXT_MAX (1 << 20) /* characters */
+
+/* Called once all fonts are made and before anything is drawn, unless it is NULL; what it returns other than
+ * MT_OK ends the call, which then returns that. */
+typedef mt_status (*mt_fonts_made)(void *user);
+
+typedef struct mt_strip {
+    const mt_choice *text; /* of `length`; the character '\n' starts a new line */
+    int length;
+    const double *at; /* T of each step, as many as step_count */
+    int step_count;
+    double size; /* pixels (or points, in SVG and PDF) an em */
+    bool labels; /* T under each step */
+    mt_fonts_made made;
+    void *user;
+} mt_strip;
+
+/* A text at several T, in the format of the extension: .png, .svg or .pdf. One row a line of text, one column a step; a text wider than three em gives one row a step instead. A named glyph is set at its
+ * place as it is, whatever stands beside it. Sets the blend's characters and glyphs to those of the text. MT_NO_GLYPH when one of them is in one font only,
+ * MT_UNKNOWN_FORMAT, MT_TOO_LARGE for a picture of more than 32 767 pixels a side, MT_CANNOT_WRITE, and what
+ * mt_blend_font gives. */
+MT_API mt_status mt_strip_save(mt_blend *blend, const mt_strip *strip, const char *path);
+
+typedef struct mt_sheet {
+    const mt_choice *choices; /* one row each */
+    int count;
+    const double *at; /* T of each column */
+    int step_count;
+    double size;                   /* of a cell, pixels or points */
+    int rows_per_page;             /* 0: what fits a page of A4's proportions */
+    const char *title_a, *title_b; /* names of the two fonts */
+    mt_fonts_made made;
+    void *user;
+} mt_sheet;
+
+/* A grid of characters or glyphs × steps, with code points or names, a heading and page numbers. PDF takes all pages; of PNG and
+ * SVG each page is a file of its own, NAME-2.png and so on after the first. Sets the blend's characters and
+ * glyphs to those of the sheet; errors as for the strip. */
+MT_API mt_status mt_sheet_save(mt_blend *blend, const mt_sheet *sheet, const char *path);
+
+/* Every glyph of a blend measured at seventeen places, and those flagged that an eye would stumble over. */
+typedef struct mt_report mt_report;
+
+/* Why a glyph is flagged; bits. */
+typedef enum mt_report_flag {
+    MT_FLAG_FAILED = 1,     /* it cannot be blended */
+    MT_FLAG_COMPONENTS = 2, /* a count is out of the ends' range at some place */
+    MT_FLAG_HOLES = 4,
+    MT_FLAG_STRAYS = 8, /* ink is far off the way between the ends */
+    MT_FLAG_CLOTS = 16, /* a stroke is thicker than any of the ends' */
+    MT_FLAG_INK = 32,   /* the area of ink is out of the ends' range */
+    MT_FLAG_ALL = 63,
+} mt_report_flag;
+
+typedef enum mt_report_format { MT_REPORT_HTML, MT_REPORT_JSON } mt_report_format;
+
+/* Measures each glyph that the blend has: of all characters that both fonts have, or of those set. Characters that lead to the same two glyphs are
+ * one. Glyphs that fail are in the report. The report keeps using the blend: free it first. MT_NOTHING_SHARED, MT_TOO_LARGE, MT_STOPPED,
+ * MT_NO_MEMORY. */
+MT_API mt_status mt_report_new(mt_blend *blend, mt_report **report);
+MT_API void mt_report_free(mt_report *report);       /* NULL is fine */
+MT_API int mt_report_count(const mt_report *report); /* glyphs measured */
+/* How many of them have one of these flags. */
+MT_API int mt_report_flagged(const mt_report *report, unsigned flags);
+/* A flag's name, such as "strays"; static storage. */
+MT_API const char *mt_report_flag_name(mt_report_flag flag);
+/* The report as a page with strips, or as data, whose schema is in docs/guide.md; give the bytes back with mt_bytes_free. MT_STOPPED,
+ * MT_NO_MEMORY. */
+MT_API mt_status mt_report_bytes(const mt_report *report, mt_report_format format, uint8_t **bytes,
+                                 size_t *length);
+/* The same written to `path`, .html or .json, whole or not at all. MT_UNKNOWN_FORMAT, MT_CANNOT_WRITE. */
+MT_API mt_status mt_report_save(const mt_report *report, const char *path);
 
 /* ---- variable fonts ------------------------------------------------------------------------------------ */
 
@@ -256,6 +371,7 @@ MT_API void mt_variable_on_glyph_failure(mt_variable *variable, mt_glyph_noted c
 MT_API void mt_variable_on_unblended(mt_variable *variable, mt_glyph_noted call, void *user);
 MT_API void mt_variable_on_cut_short(mt_variable *variable, mt_glyph_noted call, void *user);
 MT_API void mt_variable_on_progress(mt_variable *variable, mt_progress call, void *user);
+MT_API void mt_variable_stop(mt_variable *variable, bool stop);
 MT_API mt_status mt_variable_set_family(mt_variable *variable, const char *name);
 /* Of the font as it stands without a setting; NULL goes back to the name of the first place on its axis. */
 MT_API mt_status mt_variable_set_style(mt_variable *variable, const char *name);
@@ -297,6 +413,17 @@ MT_API mt_status mt_variable_font(mt_variable *variable, uint8_t **bytes, size_t
  * masters with the same points, as UFOs in the folder NAME-masters beside NAME.designspace. MT_UNKNOWN_FORMAT,
  * MT_CANNOT_WRITE. */
 MT_API mt_status mt_variable_save(mt_variable *variable, const char *path);
+
+typedef struct mt_specimen_request {
+    mt_variable *variable; /* with its settings */
+    const char *text;      /* that the page begins with, UTF-8; NULL: a sample */
+    mt_fonts_made made;    /* called when the font is made, unless NULL */
+    void *user;
+} mt_specimen_request;
+
+/* Makes the font, and a page of HTML to try it on, which has it in it and fetches nothing; written to `path` whole or not at all. What
+ * mt_variable_save gives. */
+MT_API mt_status mt_specimen_save(const mt_specimen_request *request, const char *path);
 
 /* ---- drawings that move -------------------------------------------------------------------------------- */
 

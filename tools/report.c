@@ -1,5 +1,4 @@
 /* morphotype report: which glyphs between two fonts need a look, as a page or as data. */
-#include "base/file.h"
 #include "commands.h"
 #include "messages.h"
 #include "report/report.h"
@@ -18,51 +17,32 @@ static int check(const cli_options *options) {
 
 /* ---- --fail-on ------------------------------------------------------------------------------------------- */
 
-/* How many glyphs have one of these flags. */
-static int count_flagged(const mt_report *report, unsigned flags) {
-    int count = 0;
-    for (int i = 0; i < report->count; i++) count += (report->glyphs[i].flags & flags) != 0;
-    return count;
-}
-
 /* COULD_NOT, said, for a report that --fail-on lets fail. */
 static int judge(const cli_options *options, const mt_report *report) {
     char reasons[128] = "";
     bool any = options->fail_flags != 0;
-    int count = count_flagged(report, any ? options->fail_flags : MT_FLAG_ALL),
+    int count = mt_report_flagged(report, any ? options->fail_flags : MT_FLAG_ALL),
         most = any ? 1 : options->fail_count;
     if (most == 0 || count < most) return DONE;
     for (unsigned flag = 1; flag & MT_FLAG_ALL; flag <<= 1) {
         size_t used = strlen(reasons);
-        if (!(options->fail_flags & flag) || !count_flagged(report, flag)) continue;
+        if (!(options->fail_flags & flag) || !mt_report_flagged(report, flag)) continue;
         snprintf(reasons + used, sizeof reasons - used, "%s%s", used ? ", " : " for ",
                  mt_report_flag_name((mt_report_flag)flag));
     }
-    return fail("%s: %d of %d glyph%s flagged%s (--fail-on)", options->output, count, report->count,
-                report->count == 1 ? "" : "s", reasons);
+    return fail("%s: %d of %d glyph%s flagged%s (--fail-on)", options->output, count, mt_report_count(report),
+                mt_report_count(report) == 1 ? "" : "s", reasons);
 }
 
 /* ---- the file -------------------------------------------------------------------------------------------- */
 
-static mt_status write(const cli_options *options, const mt_report *report) {
-    mt_buffer text = {0};
-    mt_report_format format;
-    mt_status status = mt_report_format_of(options->output, &format);
-    if (status != MT_OK) return status;
-    status = format == MT_REPORT_HTML ? mt_report_html(report, &text) : mt_report_json(report, &text);
-    if (status == MT_OK) status = mt_file_write(options->output, text.bytes, text.length);
-    mt_buffer_free(&text);
-    return status;
-}
-
 static int make(cli_work *work) {
-    mt_report report;
-    mt_status status = mt_report_make(&work->blend->row, &report);
-    if (status != MT_OK) return work_fail(work, status);
-    status = write(work->options, &report);
+    mt_report *report = NULL;
+    mt_status status = mt_report_new(work->blend, &report);
+    if (status == MT_OK) status = mt_report_save(report, work->options->output);
     progress_erase(&work->bar);
-    int outcome = status == MT_OK ? judge(work->options, &report) : work_fail(work, status);
-    mt_report_free(&report);
+    int outcome = status == MT_OK ? judge(work->options, report) : work_fail(work, status);
+    mt_report_free(report);
     return outcome;
 }
 

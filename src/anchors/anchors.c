@@ -127,7 +127,7 @@ mt_status mt_anchors_prepare(const mt_anchor_source *sources, const mt_systems *
                          .steps = MT_ANCHOR_STEPS_MAX};
     mt_anchors made = {0};
     for (int k = 0; k < glyphs->font_count; k++)
-        job.scales[k] = (double)units / mt_font_units(sources[k].font);
+        job.scales[k] = (double)units / mt_font_units_per_em(sources[k].font);
     mt_status status = index_glyphs(&job);
     if (status == MT_OK) status = open_moves(&job, units);
     if (status == MT_OK) status = blend_lookups(&job, calls, call_count, &made);

@@ -1,5 +1,7 @@
 #include "base/memory.h"
 
+#include "base/stop.h"
+
 #include <stdalign.h>
 #include <stdatomic.h>
 #include <stdint.h>
@@ -176,6 +178,7 @@ void mt_arena_rewind(mt_arena *arena, mt_arena_place place) {
 
 void mt_arena_bound(mt_arena *arena, const mt_allowance *allowance) {
     arena->bounded = allowance != NULL;
+    arena->stop = allowance ? allowance->stop : NULL;
     if (!allowance) return;
     arena->steps = allowance->steps;
     arena->most = allowance->bytes < SIZE_MAX - arena->used ? arena->used + allowance->bytes : SIZE_MAX;
@@ -183,7 +186,8 @@ void mt_arena_bound(mt_arena *arena, const mt_allowance *allowance) {
 
 bool mt_arena_spend(mt_arena *arena, int64_t steps) {
     if (!arena->bounded) return true;
-    arena->steps = steps > arena->steps ? -1 : arena->steps - steps;
+    bool stopped = arena->stop && atomic_load_explicit(&arena->stop->set, memory_order_relaxed);
+    arena->steps = stopped || steps > arena->steps ? -1 : arena->steps - steps;
     return arena->steps >= 0;
 }
 

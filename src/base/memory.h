@@ -27,10 +27,12 @@ void mt_free(void *memory); /* NULL is fine */
 char *mt_copy_text(const char *text);
 
 typedef struct mt_block mt_block;
+typedef struct mt_stop mt_stop; /* stop.h */
 typedef struct mt_arena {
     mt_block *first, *current;
-    size_t used, most; /* bytes handed out; and that may be, where it is bounded */
-    int64_t steps;     /* that its task may still do, where it is bounded */
+    size_t used, most;   /* bytes handed out; and that may be, where it is bounded */
+    int64_t steps;       /* that its task may still do, where it is bounded */
+    const mt_stop *stop; /* as its allowance */
     bool bounded;
 } mt_arena; /* all zero is an empty arena, whose task may do and take as much as it likes */
 
@@ -54,6 +56,7 @@ void mt_arena_rewind(mt_arena *arena, mt_arena_place place);
 typedef struct mt_allowance {
     int64_t steps;
     size_t bytes;
+    const mt_stop *stop; /* once it is set, nothing is left of the steps; NULL: it never is */
 } mt_allowance;
 /* Bounds what the task does and takes from here on; NULL takes the bound away. A call that needs more bytes than are left fails as one
  * out of memory does, and the steps are spent as well. */

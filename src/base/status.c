@@ -1,5 +1,9 @@
 #include "morphotype.h"
 
+const char *mt_version(void) {
+    return MORPHOTYPE_VERSION;
+}
+
 const char *mt_status_text(mt_status status) {
     switch (status) {
     case MT_OK: return "done";
@@ -29,6 +33,7 @@ const char *mt_status_text(mt_status status) {
     case MT_BAD_MESH: return "not a mesh, or a damaged one";
     case MT_NOT_SOLID: return "the mesh is not the surface of a solid";
     case MT_BAD_DRAWING: return "not an SVG drawing, or a damaged one";
+    case MT_STOPPED: return "stopped";
     case MT_TOO_COSTLY: return "it would take more work or memory than a glyph may";
     }
     return "unknown status";

@@ -4,13 +4,12 @@
 #include <stdatomic.h>
 #include <unistd.h>
 
-#define PROGRESS_STEP 16 /* numbers between two calls of the progress */
-
 typedef struct mt_crew {
     const mt_work *work;
-    atomic_int next, done;
+    atomic_int next;
     atomic_int status; /* the first that stops everything */
     pthread_mutex_t progress;
+    int done; /* under the lock `progress` */
 } mt_crew;
 
 typedef struct mt_crew_member {
@@ -20,10 +19,9 @@ typedef struct mt_crew_member {
 
 static void report_progress(mt_crew *crew) {
     const mt_work *work = crew->work;
-    int done = atomic_fetch_add(&crew->done, 1) + 1;
-    if (!work->progress || (done % PROGRESS_STEP != 0 && done != work->count)) return;
+    if (!work->progress) return;
     pthread_mutex_lock(&crew->progress);
-    work->progress(done, work->count, work->progress_user);
+    work->progress(++crew->done, work->count, work->progress_user);
     pthread_mutex_unlock(&crew->progress);
 }
 

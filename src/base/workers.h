@@ -23,7 +23,7 @@ typedef struct mt_work {
     void *user;
     mt_thread_arenas *kept; /* NULL: the tasks leave nothing, and are given no arena for it */
     int threads;            /* 0: as many as the machine has cores */
-    mt_progress progress;   /* NULL is fine; called from the threads, one at a time */
+    mt_progress progress;   /* NULL is fine; called from the threads after each number, one at a time */
     void *progress_user;
 } mt_work;
 

@@ -1,4 +1,5 @@
 /* What the library gives in memory: one glyph of a blend, and whole fonts. */
+#include "blend/choice.h"
 #include "blend/instances.h"
 #include "blend/variable.h"
 #include "geometry/limits.h"
@@ -7,14 +8,26 @@
 
 /* ---- one glyph ----------------------------------------------------------------------------------------- */
 
-mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const mt_draw *draw, void *user,
-                         double *advance) {
+/* Finds both glyphs and prepares them; of a choice by name, its number counts. */
+static mt_status prepare(mt_row *row, const mt_choice *choice, mt_arena *arena, mt_glyph_pair *pair) {
+    mt_choice_glyphs *glyphs;
+    int failed;
+    *pair = (mt_glyph_pair){0};
+    if (!choice->name) return mt_pair_prepare_char(row, choice->code_point, arena, pair);
+    if (choice->glyph >= (uint32_t)mt_font_glyph_count(row->fonts[0])) return MT_NO_GLYPH;
+    mt_status status = mt_choices_pair(row, choice, 1, arena, &glyphs, &failed);
+    if (status != MT_OK) return status;
+    return glyphs->b == MT_NO_PARTNER ? MT_NO_GLYPH
+                                      : mt_pair_prepare(row, 0, glyphs->a, glyphs->b, arena, pair);
+}
+
+static mt_status draw_choice(mt_row *row, const mt_choice *choice, double t, const mt_draw *draw, void *user,
+                             double *advance) {
     if (!(t >= 0 && t <= 1)) return MT_BAD_PARAMETER;
     mt_arena arena = {0};
     mt_glyph_pair pair;
     mt_outline outline;
-    mt_row *row = &blend->row;
-    mt_status status = mt_pair_prepare_char(row, code_point, &arena, &pair);
+    mt_status status = prepare(row, choice, &arena, &pair);
     if (status == MT_OK)
         status = mt_morph_outline(&pair.morph, mt_weights_at(t), &row->params, &arena, &outline);
     if (status == MT_OK) {
@@ -24,6 +37,16 @@ mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const m
     }
     mt_arena_release(&arena);
     return status;
+}
+
+mt_status mt_blend_glyph(mt_blend *blend, uint32_t code_point, double t, const mt_draw *draw, void *user,
+                         double *advance) {
+    return draw_choice(&blend->row, &(mt_choice){.code_point = code_point}, t, draw, user, advance);
+}
+
+mt_status mt_blend_glyph_numbered(mt_blend *blend, uint32_t glyph, double t, const mt_draw *draw, void *user,
+                                  double *advance) {
+    return draw_choice(&blend->row, &(mt_choice){.name = "", .glyph = glyph}, t, draw, user, advance);
 }
 
 /* ---- fonts --------------------------------------------------------------------------------------------- */

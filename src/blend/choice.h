@@ -1,13 +1,7 @@
-/* What a picture, an inspection or a hint is of: a character, or a glyph of the first font by its name. */
+/* What a picture, an inspection or a hint is of: an mt_choice, a character or a glyph of the first font. */
 #pragma once
 
 #include "blend/row.h"
-
-typedef struct mt_choice {
-    uint32_t code_point; /* of a character */
-    const char *name;    /* of a glyph, as it is to be shown, without a slash; NULL: it is a character */
-    uint32_t glyph;      /* its number in the first font */
-} mt_choice;
 
 /* Writes U+0041 or /NAME; cut where it does not fit. */
 enum { MT_CHOICE_LABEL_ROOM = 260 };

@@ -64,7 +64,8 @@ static int find_glyph(const mt_finder *finder, const uint32_t *of, int font_coun
 /* How far a part moves from one font to a reference of the next, in em. */
 static double distance(const mt_finder *finder, const mt_placed_part *part, const mt_reference *next,
                        int font) {
-    double em_a = mt_font_units(finder->row->fonts[font - 1]), em_b = mt_font_units(finder->row->fonts[font]);
+    double em_a = mt_font_units_per_em(finder->row->fonts[font - 1]),
+           em_b = mt_font_units_per_em(finder->row->fonts[font]);
     return hypot(part->at[font - 1][0] / em_a - next->dx / em_b,
                  part->at[font - 1][1] / em_a - next->dy / em_b);
 }
@@ -212,7 +213,7 @@ static bool to_units(double value, int16_t *rounded) {
 bool mt_reference_at(const mt_row *row, const mt_row_reference *reference, mt_between between, int units,
                      int16_t *dx, int16_t *dy) {
     const int *a = reference->at[between.first], *b = reference->at[between.first + 1];
-    double unit_a = (1 - between.t) * units / mt_font_units(row->fonts[between.first]);
-    double unit_b = between.t * units / mt_font_units(row->fonts[between.first + 1]);
+    double unit_a = (1 - between.t) * units / mt_font_units_per_em(row->fonts[between.first]);
+    double unit_b = between.t * units / mt_font_units_per_em(row->fonts[between.first + 1]);
     return to_units(unit_a * a[0] + unit_b * b[0], dx) && to_units(unit_a * a[1] + unit_b * b[1], dy);
 }

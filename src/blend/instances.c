@@ -184,6 +184,7 @@ static mt_status hand_over(mt_making *making, const mt_instances *fonts, mt_font
         if (i < row->style_count) mt_metadata_style(row->styles[i], &data);
         if (status == MT_OK) status = add_positions(making->positions, t, &making->arena, &data);
         if (status == MT_OK) status = add_math(making->math, t, &making->arena, &data);
+        status = mt_row_verdict(row, status);
         if (status == MT_OK) status = ready(&data, i, user);
     }
     return status;
@@ -200,5 +201,5 @@ mt_status mt_blend_make(mt_blend *blend, const double *t, int count, mt_font_rea
     if (status == MT_OK) status = mt_making_run(&making);
     if (status == MT_OK) status = hand_over(&making, &fonts, ready, user);
     mt_making_end(&making);
-    return status;
+    return mt_row_verdict(&blend->row, status);
 }

@@ -75,9 +75,11 @@ mt_status mt_making_begin(mt_making *making, mt_row *row, const mt_charset_reque
     making->row = row;
     making->step_count = row->font_count - 1;
     making->units = mt_row_units(row);
-    mt_status status = mt_row_glyphs_make(row->fonts, row->font_count, request, &making->arena, &making->set);
+    mt_status status = mt_row_verdict(row, MT_OK);
+    if (status != MT_OK) return status;
+    status = mt_row_glyphs_make(row->fonts, row->font_count, request, &making->arena, &making->set);
     if (status == MT_OK) making->glyph_count = making->set.charset.glyph_count;
-    return status;
+    return mt_row_verdict(row, status);
 }
 
 /* The glyphs by depth, in their order otherwise. */
@@ -124,9 +126,10 @@ mt_status mt_making_begin_font(mt_making *making, mt_row *row) {
     row->unblended = making->set.charset.unblended_count;
     row->prepared = row->proved = 0;
     status = mt_composites_find(row, &making->set.fonts, &making->arena, &making->composites);
+    status = mt_row_verdict(row, status);
     if (status == MT_OK) status = order_glyphs(making);
     if (status == MT_OK) status = list_origins(making);
-    if (status == MT_OK) status = take_layout(making);
+    if (status == MT_OK) status = mt_row_verdict(row, take_layout(making));
     if (status == MT_OK) note_unblended(making);
     return status == MT_OK ? note_left_out(making) : status;
 }
@@ -150,7 +153,7 @@ static mt_status take(mt_glyph_task *task, const bool *wanted) {
     const mt_making *making = task->making;
     mt_status status = MT_OK, prepared = mt_pair_prepare(making->row, task->step, task->a, task->b,
                                                          task->scratch, &task->pair);
-    if (prepared == MT_NO_MEMORY) return prepared;
+    if (prepared == MT_NO_MEMORY || prepared == MT_STOPPED) return prepared;
     if (prepared == MT_OK && task->glyph != 0 && task->b != MT_NO_PARTNER)
         count_proof(making->row, &task->pair.morph);
     if (prepared == MT_OK && task->pair.morph.cut_short) report_cut_short(task);
@@ -181,7 +184,8 @@ static mt_status make_glyph(int index, mt_arena *scratch, mt_arena *kept, void *
         status = making->sinks[i].begin(&task, making->sinks[i].user, &wanted[i]);
         any = any || wanted[i];
     }
-    return status == MT_OK && any ? take(&task, wanted) : status;
+    if (status == MT_OK && any) status = take(&task, wanted);
+    return mt_row_verdict(making->row, status);
 }
 
 /* ---- all of them --------------------------------------------------------------------------------------- */

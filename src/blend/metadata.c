@@ -8,7 +8,8 @@
 #include <stdlib.h>
 
 int mt_metadata_units(const mt_font *a, const mt_font *b) {
-    int units = mt_font_units(a) > mt_font_units(b) ? mt_font_units(a) : mt_font_units(b);
+    int units =
+        mt_font_units_per_em(a) > mt_font_units_per_em(b) ? mt_font_units_per_em(a) : mt_font_units_per_em(b);
     bool power_of_two = (units & (units - 1)) == 0;
     while (units < (power_of_two ? 2048 : 1000)) units *= 2;
     return units;
@@ -135,7 +136,8 @@ void mt_metadata_fill(const mt_font *a, const mt_font *b, double t, mt_font_data
     mt_metrics in_a, in_b;
     mt_font_metrics(a, &in_a);
     mt_font_metrics(b, &in_b);
-    mt_scale scale = {(1 - t) * data->units / mt_font_units(a), t * data->units / mt_font_units(b)};
+    mt_scale scale = {(1 - t) * data->units / mt_font_units_per_em(a),
+                      t * data->units / mt_font_units_per_em(b)};
     settle_lines(&in_a, &in_b, t);
     data->metrics = mix_metrics(&in_a, &in_b, scale, t);
     lean_caret(data->units, &data->metrics);

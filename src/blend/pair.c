@@ -52,7 +52,7 @@ mt_status mt_row_find_leans(mt_row *row) {
 void mt_pair_allow(const mt_row *row, mt_arena *arena) {
     double effort = row->params.effort;
     mt_allowance allowance = {(int64_t)(effort * (double)MT_GLYPH_STEPS),
-                              (size_t)(effort * (double)MT_GLYPH_BYTES)};
+                              (size_t)(effort * (double)MT_GLYPH_BYTES), &row->stop};
     mt_arena_bound(arena, &allowance);
 }
 
@@ -83,7 +83,7 @@ mt_status mt_pair_prepare_by(mt_row *row, int step, uint32_t a, uint32_t b, cons
     mt_pair_allow(row, arena);
     mt_status status = mt_arena_verdict(arena, prepare(row, step, a, b, hints, arena, pair));
     mt_arena_bound(arena, NULL);
-    return status;
+    return mt_row_verdict(row, status);
 }
 
 mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,

@@ -37,7 +37,7 @@ void mt_pair_allow(const mt_row *row, mt_arena *arena);
 
 /* Reads both glyphs' shapes and advances, and prepares their morph by their hints, in the arena; with MT_NO_PARTNER for `b`
  * it reads A's shape and advance alone. A shape that cannot be read is empty. All of it within an
- * allowance: where it is spent, the morph is the best until then (cut_short), or MT_TOO_COSTLY. As mt_glyph_shape and mt_morph_prepare. */
+ * allowance: where it is spent, the morph is the best until then (cut_short), or MT_TOO_COSTLY. MT_STOPPED; as mt_glyph_shape and mt_morph_prepare. */
 mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,
                           mt_glyph_pair *pair);
 

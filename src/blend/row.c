@@ -146,6 +146,10 @@ int mt_row_units(const mt_row *row) {
     return units;
 }
 
+mt_status mt_row_verdict(const mt_row *row, mt_status status) {
+    return atomic_load(&row->stop.set) ? MT_STOPPED : status;
+}
+
 void mt_row_pass_progress(int done, int all, void *user) {
     const mt_row_progress *part = user;
     mt_row *row = part->row;
@@ -157,6 +161,7 @@ void mt_row_pass_progress(int done, int all, void *user) {
 }
 
 void mt_row_report(mt_row *row, const mt_glyph_note *note) {
+    if (mt_row_verdict(row, MT_OK) != MT_OK) return;
     pthread_mutex_lock(&row->lock);
     if (row->failed) row->failed(note->code_point, note->why, row->failed_user);
     if (row->failure) row->failure(note, row->failure_user);
@@ -164,6 +169,7 @@ void mt_row_report(mt_row *row, const mt_glyph_note *note) {
 }
 
 void mt_row_report_cut_short(mt_row *row, const mt_glyph_note *note) {
+    if (mt_row_verdict(row, MT_OK) != MT_OK) return;
     pthread_mutex_lock(&row->lock);
     if (row->cut_short) row->cut_short(note, row->cut_short_user);
     pthread_mutex_unlock(&row->lock);
@@ -250,6 +256,10 @@ void mt_blend_on_left_out(mt_blend *blend, mt_left_out_noted call, void *user) {
 void mt_blend_on_progress(mt_blend *blend, mt_progress call, void *user) {
     blend->row.progress = call;
     blend->row.progress_user = user;
+}
+
+void mt_blend_stop(mt_blend *blend, bool stop) {
+    atomic_store(&blend->row.stop.set, stop);
 }
 
 mt_status mt_blend_set_family(mt_blend *blend, const char *name) {
@@ -343,6 +353,10 @@ void mt_variable_on_left_out(mt_variable *variable, mt_left_out_noted call, void
 void mt_variable_on_progress(mt_variable *variable, mt_progress call, void *user) {
     variable->row.progress = call;
     variable->row.progress_user = user;
+}
+
+void mt_variable_stop(mt_variable *variable, bool stop) {
+    atomic_store(&variable->row.stop.set, stop);
 }
 
 mt_status mt_variable_set_family(mt_variable *variable, const char *name) {

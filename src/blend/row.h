@@ -10,6 +10,7 @@
 
 #include <pthread.h>
 
+#include "base/stop.h"
 #include "glyphset/codes.h"
 #include "hints/index.h"
 #include "sfnt/axis.h"
@@ -37,6 +38,7 @@ typedef struct mt_row {
     mt_given_pairs pairs; /* empty: none are given */
     bool alternates;      /* of wanted characters, also those that text has to ask for */
     int unblended;        /* glyphs of the last fonts */
+    mt_stop stop;         /* no more work is to be done */
     int prepared,
         proved; /* glyphs that were prepared since a font was begun; those with a topology that is proved for every T */
     mt_glyph_failed failed;
@@ -77,6 +79,9 @@ mt_charset_request mt_row_request(const mt_row *row);
 /* The new font's units per em: the most that the blend of two neighbours needs (metadata.h). */
 int mt_row_units(const mt_row *row);
 
+/* MT_STOPPED where the row's work was stopped; otherwise the status. */
+mt_status mt_row_verdict(const mt_row *row, mt_status status);
+
 /* The progress of a part of the work, which has `all` steps of which `before` are done when it begins. */
 typedef struct mt_row_progress {
     mt_row *row;
@@ -84,7 +89,7 @@ typedef struct mt_row_progress {
 } mt_row_progress;
 /* An mt_progress; `user` is an mt_row_progress. Calls the caller, who may not have asked for it, under the lock. */
 void mt_row_pass_progress(int done, int all, void *user);
-/* Tells the caller, under the lock, that a glyph could not be blended. */
+/* Tells the caller, under the lock, that a glyph could not be blended; nothing once the work was stopped, which is then why. */
 void mt_row_report(mt_row *row, const mt_glyph_note *note);
 /* The same, that its effort was spent before all ways were tried. */
 void mt_row_report_cut_short(mt_row *row, const mt_glyph_note *note);

@@ -174,6 +174,7 @@ static mt_status hand_over(mt_variable_maker *maker, bool masters, mt_font_ready
     if (status == MT_OK) status = mt_varying_tables_add(&maker->making, &maker->outlines, variable, &data);
     if (status == MT_OK) status = name_font(maker, &data);
     if (status == MT_OK && mt_axis_goes_down(&variable->axis)) status = mirror_tables(maker, &data);
+    status = mt_row_verdict(row, status);
     if (status != MT_OK) return status;
     return masters ? mt_masters_make(&maker->making, &maker->outlines, &data, ready, user)
                    : ready(&data, 0, user);
@@ -188,11 +189,11 @@ static mt_status make(mt_variable *variable, const mt_sink *also, bool masters, 
     if (also) making->sinks[making->sink_count++] = *also;
     mt_status status = mt_making_begin_font(making, &variable->row);
     if (status == MT_OK) status = mt_making_run(making);
-    if (status == MT_OK) status = join_glyphs(&maker);
-    if (status == MT_OK) status = find_overlaps(&maker);
+    if (status == MT_OK) status = mt_row_verdict(&variable->row, join_glyphs(&maker));
+    if (status == MT_OK) status = mt_row_verdict(&variable->row, find_overlaps(&maker));
     if (status == MT_OK) status = hand_over(&maker, masters, ready, user);
     mt_making_end(making);
-    return status;
+    return mt_row_verdict(&variable->row, status);
 }
 
 mt_status mt_variable_make(mt_variable *variable, const mt_sink *also, mt_font_ready ready, void *user) {

@@ -16,8 +16,11 @@ static void draw_contour(const mt_contour *contour, double scale, const mt_draw 
         double x = s->end.x * scale, y = s->end.y * scale;
         if (s->degree == 1)
             draw->line_to(x, y, user);
-        else
+        else if (s->degree == 2)
             draw->quadratic_to(s->control[0].x * scale, s->control[0].y * scale, x, y, user);
+        else
+            draw->cubic_to(s->control[0].x * scale, s->control[0].y * scale, s->control[1].x * scale,
+                           s->control[1].y * scale, x, y, user);
     }
     draw->close(user);
 }

@@ -23,7 +23,7 @@ typedef struct mt_outline {
 /* Where a line or a quadratic that starts at `from` is at t, 0 … 1; grid units, not rounded. */
 mt_vector mt_segment_at(mt_point from, const mt_segment *segment, double t);
 
-/* An outline told to a drawer, places multiplied by `scale`. */
+/* An outline told to a drawer, places multiplied by `scale`. One with cubics asks for cubic_to. */
 void mt_outline_draw(const mt_outline *outline, double scale, const mt_draw *draw, void *user);
 
 /* Flattens each contour into a ring (not yet resolved: as drawn, overlaps and all), every point within

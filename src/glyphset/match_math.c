@@ -46,7 +46,7 @@ void mt_match_math(mt_glyph_match *match, const mt_math_table *a, const mt_math_
 /* Whether the lengths, in shares of the em, are so alike that parts of either font join as the others. */
 static bool joins_alike(const mt_glyph_match *match, const mt_math_table *table,
                         const mt_math_construction *a, const mt_math_construction *b) {
-    double em_a = mt_font_units(match->a), em_b = mt_font_units(match->b);
+    double em_a = mt_font_units_per_em(match->a), em_b = mt_font_units_per_em(match->b);
     if (!mt_math_same_assembly(a, b)) return false;
     for (int i = 0; i < a->part_count; i++)
         if (fabs(a->parts[i].full / em_a - b->parts[i].full / em_b) > table->least_overlap / em_a / 2)

@@ -23,7 +23,7 @@ int32_t mt_shaper_advance(mt_shaper *shaper, uint32_t glyph) {
     if (glyph >= (uint32_t)shaper->tables.glyph_count) return 0;
     if (shaper->advances[glyph] != UNKNOWN) return shaper->advances[glyph];
     if (mt_font_advance(shaper->font, glyph, &advance) == MT_NO_MEMORY) shaper->status = MT_NO_MEMORY;
-    shaper->advances[glyph] = (int32_t)lround(advance * mt_font_units(shaper->font) / MT_EM);
+    shaper->advances[glyph] = (int32_t)lround(advance * mt_font_units_per_em(shaper->font) / MT_EM);
     return shaper->advances[glyph];
 }
 

@@ -9,16 +9,16 @@
 enum { CHOICES_MAX = 32, CLASSES_MAX = 256, TEXTS_MAX = 40000 };
 
 /* The glyphs that may stand at one place of a context: those that can be spelled. */
-typedef struct mt_choice {
+typedef struct mt_rule_choice {
     int count;
     uint16_t glyphs[CHOICES_MAX];
-} mt_choice;
+} mt_rule_choice;
 
 /* The places of a context in the order of the text. */
 typedef struct mt_context {
     int count;
     bool failed; /* longer than a text may be */
-    mt_choice places[MT_SPELLING_MAX];
+    mt_rule_choice places[MT_SPELLING_MAX];
 } mt_context;
 
 enum { BEFORE, INPUT, AFTER, PARTS };
@@ -27,30 +27,30 @@ typedef struct mt_rule_reader {
     const mt_texts *texts;
     const mt_spellings *spellings;
     mt_arena *arena;
-    mt_bytes table;            /* the subtable */
-    mt_choice *classes[PARTS]; /* of format 2; NULL for others */
+    mt_bytes table;                 /* the subtable */
+    mt_rule_choice *classes[PARTS]; /* of format 2; NULL for others */
     bool chained;
     int64_t left; /* of the texts and rules */
 } mt_rule_reader;
 
 /* ---- places -------------------------------------------------------------------------------------------- */
 
-static void choose(const mt_rule_reader *reader, uint32_t glyph, mt_choice *choice) {
+static void choose(const mt_rule_reader *reader, uint32_t glyph, mt_rule_choice *choice) {
     bool spelled = glyph < (uint32_t)reader->spellings->glyph_count && reader->spellings->of[glyph].count;
     if (spelled && choice->count < CHOICES_MAX) choice->glyphs[choice->count++] = (uint16_t)glyph;
 }
 
-static mt_choice *add_place(mt_context *context) {
+static mt_rule_choice *add_place(mt_context *context) {
     context->failed |= context->count == MT_SPELLING_MAX;
     if (context->failed) return NULL;
-    mt_choice *place = &context->places[context->count++];
+    mt_rule_choice *place = &context->places[context->count++];
     place->count = 0;
     return place;
 }
 
 /* A glyph of format 1, or a class of format 2. */
 static void add_value(const mt_rule_reader *reader, mt_context *context, int part, unsigned value) {
-    mt_choice *place = add_place(context);
+    mt_rule_choice *place = add_place(context);
     if (!place) return;
     if (!reader->classes[part])
         choose(reader, value, place);
@@ -74,7 +74,7 @@ static mt_status add_coverages(const mt_rule_reader *reader, mt_context *context
         int k = part == BEFORE ? count - 1 - i : i, covered_count;
         mt_covered *covered;
         mt_arena_place before = mt_arena_mark(reader->arena);
-        mt_choice *place = add_place(context);
+        mt_rule_choice *place = add_place(context);
         if (!place) return MT_OK;
         status = mt_coverage_list(mt_ot_follow(reader->table, at + 2 * (size_t)k), reader->arena, &covered,
                                   &covered_count);
@@ -99,7 +99,7 @@ static void spell_context(mt_rule_reader *reader, const mt_context *context) {
         int length = 0;
         bool fits = true;
         for (int i = 0; i < context->count && fits; i++) {
-            const mt_choice *place = &context->places[i];
+            const mt_rule_choice *place = &context->places[i];
             fits = mt_spell_append(reader->spellings, place->glyphs[k % place->count], text, &length);
         }
         if (fits) mt_votes_add(texts->votes, text, length);
@@ -148,7 +148,7 @@ static mt_status read_glyphs(mt_rule_reader *reader) {
 
 static mt_status list_classes(mt_rule_reader *reader, int part, size_t at) {
     mt_bytes definition = mt_ot_follow(reader->table, at);
-    mt_choice *classes = mt_arena_new(reader->arena, CLASSES_MAX, sizeof *classes);
+    mt_rule_choice *classes = mt_arena_new(reader->arena, CLASSES_MAX, sizeof *classes);
     if (!classes) return MT_NO_MEMORY;
     for (int i = 0; i < reader->spellings->glyph_count; i++) {
         if (!reader->spellings->of[i].count) continue;

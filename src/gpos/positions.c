@@ -38,7 +38,7 @@ static mt_status open_source(mt_font *font, int units, mt_arena *arena, mt_posit
     mt_bytes gpos, gdef;
     const int32_t *place;
     int axes = mt_font_place(font, &place);
-    *source = (mt_position_source){.font = font, .scale = (double)units / mt_font_units(font)};
+    *source = (mt_position_source){.font = font, .scale = (double)units / mt_font_units_per_em(font)};
     mt_status status = read_gpos(font, arena, &gpos);
     if (status == MT_OK) status = mt_font_table(font, MT_TAG('G', 'D', 'E', 'F'), arena, &gdef);
     if (status == MT_OK) status = mt_font_kern(font, arena, &source->kern);

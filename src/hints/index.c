@@ -35,7 +35,8 @@ static int64_t to_grid(int32_t value, int units) {
 }
 
 static bool scale(mt_hint_place place, const mt_font *font, mt_point *point) {
-    int64_t x = to_grid(place.x, mt_font_units(font)), y = to_grid(place.y, mt_font_units(font));
+    int64_t x = to_grid(place.x, mt_font_units_per_em(font)),
+            y = to_grid(place.y, mt_font_units_per_em(font));
     if (x < -MT_COORD_MAX || x > MT_COORD_MAX || y < -MT_COORD_MAX || y > MT_COORD_MAX) return false;
     *point = (mt_point){(int32_t)x, (int32_t)y};
     return true;

@@ -20,7 +20,7 @@ double *mt_math_new_row(const mt_math_job *job) {
 static mt_status open_source(mt_math_job *job, mt_font *const *fonts, int index) {
     mt_math_source *source = &job->sources[index];
     source->font = fonts[index];
-    source->scale = (double)job->units / mt_font_units(fonts[index]);
+    source->scale = (double)job->units / mt_font_units_per_em(fonts[index]);
     mt_status status = mt_math_table_open(fonts[index], &job->scratch, &source->table);
     if (status != MT_OK || index == 0) return status;
     return mt_outline_moves_open(fonts[0], fonts[index], &job->glyphs, index, job->units, &job->scratch,

@@ -98,15 +98,15 @@ static bool was_tried(const mt_trials *trials, const mt_morph *morph) {
     return false;
 }
 
-typedef struct mt_choice {
+typedef struct mt_best_trial {
     mt_mending best;
     double loss;
     bool right; /* nothing is left to be wished */
-} mt_choice;
+} mt_best_trial;
 
 /* Joins with one set of settings, and keeps the morph if it is better than the best so far. */
 static mt_status try_settings(const mt_morph *matched, const mt_join_context *context,
-                              const mt_onlooker *onlooker, mt_trials *trials, mt_choice *choice) {
+                              const mt_onlooker *onlooker, mt_trials *trials, mt_best_trial *choice) {
     mt_mending tried = choice->best;
     mt_appearance seen;
     tried.morph = &trials->morphs[trials->count];
@@ -124,7 +124,7 @@ static mt_status try_settings(const mt_morph *matched, const mt_join_context *co
     bool right = tried.error.parts == 0 && score <= SCORE_GOOD;
     bool better = right == choice->right ? loss < choice->loss : right;
     if (status != MT_OK || !better) return status;
-    *choice = (mt_choice){tried, loss, right};
+    *choice = (mt_best_trial){tried, loss, right};
     return MT_OK;
 }
 
@@ -137,7 +137,7 @@ static mt_morph placed(const mt_morph *morph, const mt_registered *registered, m
 }
 
 static mt_status try_all(const mt_morph *morph, const mt_hints *hints, const mt_params *params,
-                         mt_trials *trials, mt_choice *choice) {
+                         mt_trials *trials, mt_best_trial *choice) {
     mt_arena *arena = choice->best.arena;
     mt_alignment_cache *cache = mt_arena_new(arena, 1, sizeof *cache);
     mt_registered registered;
@@ -163,7 +163,7 @@ static mt_status try_all(const mt_morph *morph, const mt_hints *hints, const mt_
 
 mt_status mt_join_best(mt_morph *morph, const mt_hints *hints, const mt_params *params, mt_arena *arena) {
     mt_trials trials = {.morphs = mt_arena_new(arena, (size_t)mt_settings_count(), sizeof(mt_morph))};
-    mt_choice choice = {{morph, params, arena, {.parts = INT_MAX}, MT_EFFORT}, INFINITY, false};
+    mt_best_trial choice = {{morph, params, arena, {.parts = INT_MAX}, MT_EFFORT}, INFINITY, false};
     if (!trials.morphs) return MT_NO_MEMORY;
     mt_status status = try_all(morph, hints, params, &trials, &choice);
     if (status == MT_OK && choice.loss == INFINITY && mt_arena_is_spent(arena)) status = MT_TOO_LARGE;

@@ -42,7 +42,7 @@ static void set_place(const mt_font *font, hb_font_t *hb) {
 static hb_font_t *open_font(mt_font *font, mt_face_tables *tables) {
     hb_face_t *face = mt_face_make(tables);
     if (!face) return NULL;
-    hb_face_set_upem(face, (unsigned)mt_font_units(font));
+    hb_face_set_upem(face, (unsigned)mt_font_units_per_em(font));
     hb_font_funcs_t *functions = hb_font_funcs_create();
     hb_font_t *hb = hb_font_create(face);
     hb_font_funcs_set_nominal_glyph_func(functions, nominal_glyph, NULL, NULL);

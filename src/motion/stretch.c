@@ -49,7 +49,7 @@ static mt_status keep_contours(const mt_variable_outline *contours, mt_arena *ke
 static mt_status move(const mt_shape *a, const mt_shape *b, const mt_hints *hints, const mt_params *params,
                       int64_t steps, mt_arena *scratch, mt_morph *prepared, mt_variable_outline *contours) {
     int64_t most = (int64_t)(params->effort * (double)steps);
-    const mt_allowance allowance = {most, (size_t)(most / STEPS_A_BYTE)};
+    const mt_allowance allowance = {most, (size_t)(most / STEPS_A_BYTE), NULL};
     mt_arena_bound(scratch, &allowance);
     mt_status status = mt_arena_verdict(scratch, mt_morph_prepare(a, b, hints, params, scratch, prepared));
     mt_arena_bound(scratch, &allowance);

@@ -18,7 +18,7 @@ static const mt_units thousandths = {1000, 10};
 
 /* Hints are as fine, and most fonts' points whole. */
 static mt_units units_of(const mt_font *font) {
-    return (mt_units){mt_font_units(font), 1000};
+    return (mt_units){mt_font_units_per_em(font), 1000};
 }
 
 static void add_value(mt_json *json, const char *key, double grid, mt_units in) {
@@ -62,7 +62,7 @@ static mt_status add_side(mt_json *json, const char *key, mt_row *row, int font,
     pthread_mutex_unlock(&row->lock);
     if (status != MT_OK) return status;
     mt_json_object(json, key);
-    mt_json_int(json, "units", mt_font_units(row->fonts[font]));
+    mt_json_int(json, "units", mt_font_units_per_em(row->fonts[font]));
     add_value(json, "advance", advance, in);
     mt_json_int(json, "components", side->whole.count);
     mt_json_array(json, "drawing");

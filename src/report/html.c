@@ -359,7 +359,7 @@ static mt_status fill(mt_page_slot slot, const void *user, mt_buffer *text) {
     return page.status;
 }
 
-mt_status mt_report_html(const mt_report *report, mt_buffer *text) {
+mt_status mt_report_add_html(const mt_report *report, mt_buffer *text) {
     mt_page page = {.report = report};
     mt_status status = show_glyphs(&page);
     if (status == MT_OK) status = mt_page_make(mt_report_page, fill, &page, text);

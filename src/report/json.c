@@ -144,7 +144,7 @@ static void add_glyph(mt_json *json, const mt_report *report, const mt_report_gl
     mt_json_object_end(json);
 }
 
-mt_status mt_report_json(const mt_report *report, mt_buffer *text) {
+mt_status mt_report_add_json(const mt_report *report, mt_buffer *text) {
     mt_json json = {0};
     mt_json_object(&json, NULL);
     add_heading(&json, report);

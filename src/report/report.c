@@ -1,6 +1,8 @@
 /* The report of two fonts: every glyph measured, the worst first; written to a file. */
 #include "report/report.h"
 
+#include "base/file.h"
+
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -51,30 +53,48 @@ static mt_status collect(const mt_making *making, const mt_report_figures *figur
     return MT_OK;
 }
 
-mt_status mt_report_make(mt_row *row, mt_report *report) {
-    mt_report made = {.row = row};
+static mt_status make(mt_row *row, mt_report *made) {
     mt_report_figures figures = {.reach = true};
     mt_making making = {.sinks = {mt_report_sink(&figures)}, .sink_count = 1};
     mt_charset_request request = mt_row_request(row);
     request.set = MT_GLYPHS_BOTH;
+    made->row = row;
     mt_status status = mt_making_begin(&making, row, &request);
     if (status == MT_OK) status = mt_making_run(&making);
-    if (status == MT_OK) status = collect(&making, &figures, &made);
-    if (status == MT_OK) status = mt_naming_open(row->fonts[0], &made.naming);
+    if (status == MT_OK) status = collect(&making, &figures, made);
+    if (status == MT_OK) status = mt_naming_open(row->fonts[0], &made->naming);
     mt_report_figures_free(&figures);
     mt_making_end(&making);
+    return mt_row_verdict(row, status);
+}
+
+mt_status mt_report_new(mt_blend *blend, mt_report **report) {
+    mt_report *made = mt_new(1, sizeof *made);
+    if (!made) return MT_NO_MEMORY;
+    mt_status status = make(&blend->row, made);
     if (status == MT_OK)
         *report = made;
     else
-        mt_report_free(&made);
+        mt_report_free(made);
     return status;
 }
 
 void mt_report_free(mt_report *report) {
+    if (!report) return;
     mt_free(report->glyphs);
     mt_free(report->unblended);
     mt_naming_close(report->naming);
-    *report = (mt_report){0};
+    mt_free(report);
+}
+
+int mt_report_count(const mt_report *report) {
+    return report->count;
+}
+
+int mt_report_flagged(const mt_report *report, unsigned flags) {
+    int count = 0;
+    for (int i = 0; i < report->count; i++) count += (report->glyphs[i].flags & flags) != 0;
+    return count;
 }
 
 /* ---- the format ---------------------------------------------------------------------------------------- */
@@ -85,4 +105,31 @@ mt_status mt_report_format_of(const char *path, mt_report_format *format) {
     if (!html && !json) return MT_UNKNOWN_FORMAT;
     *format = html ? MT_REPORT_HTML : MT_REPORT_JSON;
     return MT_OK;
+}
+
+/* ---- bytes and files ------------------------------------------------------------------------------------- */
+
+mt_status mt_report_bytes(const mt_report *report, mt_report_format format, uint8_t **bytes, size_t *length) {
+    mt_buffer text = {0};
+    mt_status status =
+        format == MT_REPORT_HTML ? mt_report_add_html(report, &text) : mt_report_add_json(report, &text);
+    if (status != MT_OK) {
+        mt_buffer_free(&text);
+        return status;
+    }
+    *bytes = (uint8_t *)text.bytes;
+    *length = text.length;
+    return MT_OK;
+}
+
+mt_status mt_report_save(const mt_report *report, const char *path) {
+    uint8_t *bytes;
+    size_t length;
+    mt_report_format format;
+    mt_status status = mt_report_format_of(path, &format);
+    if (status == MT_OK) status = mt_report_bytes(report, format, &bytes, &length);
+    if (status != MT_OK) return status;
+    status = mt_file_write(path, bytes, length);
+    mt_bytes_free(bytes);
+    return status;
 }

@@ -42,17 +42,6 @@ typedef enum mt_report_method {
     MT_REPORT_BOTH,
 } mt_report_method;
 
-/* Why a glyph needs a look; bits. */
-typedef enum mt_report_flag {
-    MT_FLAG_FAILED = 1,
-    MT_FLAG_COMPONENTS = 2, /* a count is out of the ends' range at some place */
-    MT_FLAG_HOLES = 4,
-    MT_FLAG_STRAYS = 8,
-    MT_FLAG_CLOTS = 16,
-    MT_FLAG_INK = 32,
-    MT_FLAG_ALL = 63,
-} mt_report_flag;
-
 /* How an outline is drawn. */
 typedef struct mt_report_drawing {
     int points;  /* as 'glyf' has them */
@@ -106,8 +95,7 @@ double mt_report_ink_bend(const mt_report_glyph *glyph);
  * and adds none to those of its end. */
 int mt_report_kinks(const mt_report_glyph *glyph);
 
-/* A flag's name, and its reason in a line of English: "3 components at T = 0.5, the ends have 1 and 2". */
-const char *mt_report_flag_name(mt_report_flag flag);
+/* Why a glyph has a flag, in a line of English: "3 components at T = 0.5, the ends have 1 and 2". */
 #define MT_REPORT_REASON_ROOM 128
 void mt_report_reason(const mt_report_glyph *glyph, mt_report_flag flag, char text[MT_REPORT_REASON_ROOM]);
 const char *mt_report_method_name(mt_report_method method);
@@ -137,7 +125,7 @@ typedef struct mt_report_summary {
     int ink_near;   /* glyphs whose ink is within MT_INK_EXCESS of it */
 } mt_report_summary;
 
-typedef struct mt_report {
+struct mt_report {
     mt_row *row;       /* of two fonts */
     mt_naming *naming; /* of the first */
     int count;
@@ -145,17 +133,12 @@ typedef struct mt_report {
     int unblended_count;
     mt_pairing *unblended; /* without a partner, so that there is nothing to measure; from mt_new */
     mt_report_summary summary;
-} mt_report;
+};
 
 /* A count of glyphs over that of all; 1 where there are none. */
 static inline double mt_report_share(const mt_report *report, int count) {
     return report->count ? (double)count / report->count : 1;
 }
-
-/* Measures each glyph that a blend of the row has: of all characters that both fonts have, or of the row's characters and glyphs;
- * characters that lead to the same two glyphs are one. Glyphs that fail are in the report. MT_NOTHING_SHARED, MT_TOO_LARGE, MT_NO_MEMORY. */
-mt_status mt_report_make(mt_row *row, mt_report *report);
-void mt_report_free(mt_report *report); /* all zero is fine */
 
 /* What the page has of a glyph's in-betweens: an SVG picture for each place, those that are out of the ends'
  * counts marked. As mt_morph_outline. */
@@ -163,10 +146,8 @@ mt_status mt_report_strip(const mt_glyph_pair *pair, const mt_params *params, co
                           mt_arena *arena, mt_buffer *text);
 
 /* The report in a buffer of the caller's. MT_NO_MEMORY. */
-mt_status mt_report_json(const mt_report *report, mt_buffer *text);
-mt_status mt_report_html(const mt_report *report, mt_buffer *text);
-
-typedef enum mt_report_format { MT_REPORT_HTML, MT_REPORT_JSON } mt_report_format;
+mt_status mt_report_add_json(const mt_report *report, mt_buffer *text);
+mt_status mt_report_add_html(const mt_report *report, mt_buffer *text);
 
 /* The format that a file name's extension asks for, in either case. MT_UNKNOWN_FORMAT. */
 mt_status mt_report_format_of(const char *path, mt_report_format *format);

@@ -32,7 +32,6 @@ typedef struct mt_names {
     const char *family, *style, *version, *copyright, *license, *license_url, *designer, *trademark;
 } mt_names;
 
-int mt_font_units(const mt_font *font);        /* per em */
 const char *mt_font_spec(const mt_font *font); /* as it was opened */
 const char *mt_font_choice(
     const mt_font *font); /* of a face, axes and features, as the spec has it after the file's name; or "" */
@@ -79,10 +78,6 @@ bool mt_font_features_do_nothing(const mt_font *font);
 /* The glyph that the character map has for a code point, or that the features of the font's spec make of it; 0 when there is
  * none. */
 uint32_t mt_font_mapped_glyph(const mt_font *font, uint32_t code_point);
-
-/* The glyph that text leads to: the mapped one, and in a symbol font, for a code up to U+00FF that is not mapped, that of
- * U+F000 and the code, as HarfBuzz and Windows have it; 0 when there is none. */
-uint32_t mt_font_glyph(const mt_font *font, uint32_t code_point);
 
 /* Whether it has a character map for symbols (OpenType spec, "cmap": platform 3, encoding 0). Where that is its only one,
  * its codes, mostly U+F020 to U+F0FF, are the characters. */

@@ -22,10 +22,11 @@ typedef struct mt_form {
 } mt_form;
 
 struct mt_font {
-    char *text; /* the spec as it was given */
+    char *text; /* the spec as it was given, or name and choice of a font in memory */
     mt_spec spec;
     uint8_t *bytes; /* the whole file: FreeType reads from here */
     size_t length;
+    bool in_memory;   /* it was given as bytes: spec.path is but a name */
     mt_arena scratch; /* for what lives while a FreeType call is made */
 
     /* guard.c. Each font has a FreeType of its own: fonts share no state. */

@@ -43,7 +43,7 @@ static bool attach(mt_font *font) {
 
 mt_status mt_font_attach_metrics(mt_font *font) {
     static const char *const extensions[] = {".afm", ".AFM", ".pfm", ".PFM"};
-    if (!is_type1(font->face)) return MT_OK;
+    if (font->in_memory || !is_type1(font->face)) return MT_OK;
     for (int i = 0; i < 4; i++) {
         mt_status status = load(font, extensions[i]);
         if (status == MT_NO_MEMORY) return status;

@@ -1,7 +1,8 @@
-/* Opening a font: the spec, the file, the face, the axes, the names, the figures, the features. */
+/* Opening a font: the spec, the file or the bytes, the face, the axes, the names, the figures, the features. */
 #include "source/handle.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/file.h"
@@ -70,13 +71,40 @@ static mt_status read_unpacked(mt_font *font) {
     return mt_font_guard(font, read_face, NULL);
 }
 
-static mt_status open_stages(const char *spec, mt_font *font) {
-    font->instance_name = -1;
+/* What a font is opened from: a file by its spec, or bytes by a name and a choice. */
+typedef struct mt_font_origin {
+    const char *spec; /* NULL: the font is in memory */
+    const uint8_t *bytes;
+    size_t length;
+    const char *name, *choice; /* NULL is fine */
+} mt_font_origin;
+
+static mt_status load_file(const char *spec, mt_font *font) {
     font->text = mt_copy_text(spec);
     if (!font->text) return MT_NO_MEMORY;
     mt_status status = mt_spec_parse(spec, &font->spec);
-    if (status == MT_OK)
-        status = mt_file_read(font->spec.path, MT_FONT_FILE_MAX, &font->bytes, &font->length);
+    return status == MT_OK ? mt_file_read(font->spec.path, MT_FONT_FILE_MAX, &font->bytes, &font->length)
+                           : status;
+}
+
+static mt_status load_memory(const mt_font_origin *origin, mt_font *font) {
+    const char *name = origin->name ? origin->name : "the font in memory",
+               *choice = origin->choice ? origin->choice : "";
+    size_t room = strlen(name) + strlen(choice) + 1;
+    if (origin->length > MT_FONT_FILE_MAX) return MT_TOO_LARGE;
+    font->in_memory = true;
+    font->text = mt_new(room, 1);
+    font->bytes = mt_new(origin->length, 1);
+    font->length = origin->length;
+    if (!font->text || !font->bytes) return MT_NO_MEMORY;
+    snprintf(font->text, room, "%s%s", name, choice);
+    if (origin->length) memcpy(font->bytes, origin->bytes, origin->length);
+    return mt_spec_parse_choice(name, choice, &font->spec);
+}
+
+static mt_status open_stages(const mt_font_origin *origin, mt_font *font) {
+    font->instance_name = -1;
+    mt_status status = origin->spec ? load_file(origin->spec, font) : load_memory(origin, font);
     if (status == MT_OK) status = mt_font_guard(font, read_face, NULL);
     if (status == MT_NOT_A_FONT && mt_woff2_is(font->bytes, font->length)) status = read_unpacked(font);
     if (status == MT_OK) status = mt_font_read_features(font);
@@ -84,10 +112,10 @@ static mt_status open_stages(const char *spec, mt_font *font) {
     return status;
 }
 
-mt_status mt_font_open(const char *spec, mt_font **font) {
+static mt_status open_font(const mt_font_origin *origin, mt_font **font) {
     mt_font *opened = mt_new(1, sizeof *opened);
     if (!opened) return MT_NO_MEMORY;
-    mt_status status = open_stages(spec, opened);
+    mt_status status = open_stages(origin, opened);
     if (status == MT_OK) {
         *font = opened;
         return MT_OK;
@@ -96,6 +124,16 @@ mt_status mt_font_open(const char *spec, mt_font **font) {
     mt_font_close(opened);
     errno = why;
     return status;
+}
+
+mt_status mt_font_open(const char *spec, mt_font **font) {
+    return open_font(&(mt_font_origin){.spec = spec}, font);
+}
+
+mt_status mt_font_open_memory(const uint8_t *bytes, size_t length, const char *name, const char *choice,
+                              mt_font **font) {
+    const mt_font_origin origin = {.bytes = bytes, .length = length, .name = name, .choice = choice};
+    return open_font(&origin, font);
 }
 
 void mt_font_close(mt_font *font) {
@@ -124,7 +162,7 @@ const char *mt_font_choice(const mt_font *font) {
     return font->text + strlen(font->spec.path);
 }
 
-int mt_font_units(const mt_font *font) {
+int mt_font_units_per_em(const mt_font *font) {
     return font->units;
 }
 

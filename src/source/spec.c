@@ -144,19 +144,35 @@ static mt_status read_rest(const char *rest, mt_spec *spec) {
     return MT_OK;
 }
 
+/* Hands over what was read, or clears it away. */
+static mt_status finish(mt_status status, mt_spec *read, mt_spec *spec) {
+    if (status == MT_OK) {
+        *spec = *read;
+        return MT_OK;
+    }
+    int why = errno;
+    mt_spec_clear(read);
+    errno = why;
+    return status;
+}
+
 mt_status mt_spec_parse(const char *text, mt_spec *spec) {
     mt_spec read = {.path = mt_copy_text(text)};
     if (!read.path) return MT_NO_MEMORY;
     const char *rest = split(text, read.path);
-    mt_status status = rest ? read_rest(rest, &read) : MT_NO_FILE;
-    if (status == MT_OK) {
-        *spec = read;
-        return MT_OK;
-    }
-    int why = errno;
-    mt_spec_clear(&read);
-    errno = why;
-    return status;
+    return finish(rest ? read_rest(rest, &read) : MT_NO_FILE, &read, spec);
+}
+
+/* What follows the path: nothing, or what one of these begins. */
+static mt_status read_choice(const char *choice, mt_spec *spec) {
+    if (*choice && !strchr("#@:", *choice)) return MT_BAD_PARAMETER;
+    return read_rest(choice, spec);
+}
+
+mt_status mt_spec_parse_choice(const char *name, const char *choice, mt_spec *spec) {
+    mt_spec read = {.path = mt_copy_text(name)};
+    if (!read.path) return MT_NO_MEMORY;
+    return finish(read_choice(choice, &read), &read, spec);
 }
 
 void mt_spec_clear(mt_spec *spec) {

@@ -31,4 +31,7 @@ typedef struct mt_spec {
 /* MT_NO_FILE (errno says why; EISDIR for a directory), MT_NO_FACE for what follows a # and is no number,
  * MT_BAD_AXIS or MT_BAD_FEATURE for a malformed or doubled setting, MT_NO_MEMORY. */
 mt_status mt_spec_parse(const char *text, mt_spec *spec);
+/* The same of a font that is no file: what `choice` has after FILE, and `name` in place of the path. MT_BAD_PARAMETER for a
+ * choice that begins with none of #, @ and :, otherwise the same but for MT_NO_FILE. */
+mt_status mt_spec_parse_choice(const char *name, const char *choice, mt_spec *spec);
 void mt_spec_clear(mt_spec *spec);

@@ -10,14 +10,6 @@
 
 #include "report/report.h"
 
-typedef struct mt_specimen_request {
-    mt_variable *variable; /* with its settings */
-    const char *text;      /* that the page begins with, UTF-8; NULL: a sample */
-    mt_status (*made)(
-        void *user); /* called when the font is made, unless NULL; a status other than MT_OK ends the rest */
-    void *user;
-} mt_specimen_request;
-
 /* The font as it was made, in an arena but for its bytes. */
 typedef struct mt_specimen_font {
     const uint8_t *bytes; /* TrueType */
@@ -50,5 +42,3 @@ mt_status mt_specimen_html(const mt_specimen *specimen, mt_buffer *text);
 
 /* Whether the extension is that of a page, in either case. */
 bool mt_specimen_is_page(const char *path);
-/* Makes the font and the page, and writes it to `path`, whole or not at all. What mt_variable_make and mt_file_write give. */
-mt_status mt_specimen_save(const mt_specimen_request *request, const char *path);

@@ -216,7 +216,7 @@ static void compare(bool tell_apart, const char *engine, const char *path, const
         }
         mt_shape b = read_font(second, code_point, &arena, &in_second);
         printf("%x %.6f %.3f", code_point, shared_share(&a, &b, &arena),
-               (advance - in_second) * mt_font_units(second));
+               (advance - in_second) * mt_font_units_per_em(second));
         if (tell_apart) printf(" %.3f", fmax(reach(&a, &b, &arena), reach(&b, &a, &arena)) * 1000 / MT_EM);
         putchar('\n');
         mt_arena_reset(&arena);

@@ -191,7 +191,7 @@ static int points_in(mt_font *font, uint32_t code_point, mt_arena *arena) {
     double advance;
     mt_status status = mt_font_outline(font, mt_font_glyph(font, code_point), arena, &outline, &advance);
     if (status != MT_OK) stop(status, "reading");
-    return points_of(&outline, mt_font_units(font), arena);
+    return points_of(&outline, mt_font_units_per_em(font), arena);
 }
 
 static void look_at_glyph(mt_font *a, mt_font *b, uint32_t code_point, mt_arena *arena, mt_tally *sum) {
@@ -208,7 +208,7 @@ static void look_at_glyph(mt_font *a, mt_font *b, uint32_t code_point, mt_arena 
     mt_row_close(&row);
     if (status == MT_OK) status = mt_morph_outline(&pair.morph, mt_weights_at(0.5), &params, arena, &half);
     if (status != MT_OK) stop(status, "joining");
-    sum->ratios[sum->glyphs++] = (double)points_of(&half, mt_font_units(a), arena) / most;
+    sum->ratios[sum->glyphs++] = (double)points_of(&half, mt_font_units_per_em(a), arena) / most;
     for (int i = 0; i < pair.morph.contour_count; i++)
         look_at_contour(&pair.morph.contours[i], code_point, arena, sum);
 }

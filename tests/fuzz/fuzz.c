@@ -42,7 +42,7 @@ mt_font *fuzz_own_font(const char *name) {
 
 void fuzz_bound(mt_arena *arena, double effort) {
     mt_arena_bound(arena, &(mt_allowance){(int64_t)(effort * (double)MT_GLYPH_STEPS),
-                                          (size_t)(effort * (double)MT_GLYPH_BYTES) + (1 << 22)});
+                                          (size_t)(effort * (double)MT_GLYPH_BYTES) + (1 << 22), NULL});
 }
 
 /* ---- places ------------------------------------------------------------------------------------------------ */

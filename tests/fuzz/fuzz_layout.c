@@ -37,7 +37,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length) {
     mt_font *font = fuzz_font(bytes, length);
     mt_arena arena = {0};
     if (!font) return 0;
-    mt_arena_bound(&arena, &(mt_allowance){INT64_MAX, (size_t)256 << 20});
+    mt_arena_bound(&arena, &(mt_allowance){INT64_MAX, (size_t)256 << 20, NULL});
     cut_substitutions(font, &arena);
     write_positions((mt_font *[]){font, own}, &arena);
     write_positions((mt_font *[]){own, font}, &arena);

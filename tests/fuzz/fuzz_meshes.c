@@ -14,7 +14,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length) {
     uint8_t *copy = malloc(length - 1);
     fuzz_require(copy);
     memcpy(copy, bytes + 1, length - 1);
-    mt_arena_bound(&arena, &(mt_allowance){INT64_MAX, (size_t)256 << 20});
+    mt_arena_bound(&arena, &(mt_allowance){INT64_MAX, (size_t)256 << 20, NULL});
     mt_mesh_format format = (mt_mesh_format)(bytes[0] % (MT_MESH_GLB + 1));
     if (mt_mesh_parse(copy, length - 1, format, &arena, &mesh, &fault) == MT_OK)
         fuzz_require(mt_mesh_check(&mesh, &arena, &again, &fault) == MT_OK);

@@ -141,7 +141,7 @@ static void bounded(void **state) {
     drawing.rings[0] = mt_random_scrawl(&random, &arena, 400, MT_EM);
     mt_shape plain, given = {1, &drawing};
     mt_arena own = {0};
-    mt_arena_bound(&own, &(mt_allowance){60000, 1 << 24});
+    mt_arena_bound(&own, &(mt_allowance){60000, 1 << 24, NULL});
     mt_status status = mt_shape_make_plain(&given, &own, &plain);
     assert_int_equal(mt_arena_verdict(&own, status), MT_TOO_COSTLY);
     mt_arena_release(&own);

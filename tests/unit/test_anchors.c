@@ -58,8 +58,8 @@ static mt_end open_end(const char *path, const char *spec, float weight) {
 
 static mt_pair prepare(mt_end a, mt_end b) {
     mt_pair pair = {.a = a, .b = b, .units = mt_metadata_units(a.font, b.font)};
-    pair.a.scale = (double)pair.units / mt_font_units(a.font);
-    pair.b.scale = (double)pair.units / mt_font_units(b.font);
+    pair.a.scale = (double)pair.units / mt_font_units_per_em(a.font);
+    pair.b.scale = (double)pair.units / mt_font_units_per_em(b.font);
     mt_assert_ok(mt_charset_make(a.font, b.font, &(mt_charset_request){0}, &arena, &pair.charset));
     mt_font *fonts[] = {a.font, b.font};
     mt_assert_ok(mt_test_positions(fonts, &pair.charset, 2, pair.units, &arena, &pair.positions));

@@ -274,7 +274,7 @@ static void figures_come_back(void **state) {
     assert_false(read.monospaced);
     assert_true(read.use_typo_metrics);
     assert_false(read.vertical);
-    assert_int_equal(mt_font_units(font), data.units);
+    assert_int_equal(mt_font_units_per_em(font), data.units);
     assert_int_equal(mt_font_modified(font), data.modified);
     assert_int_equal(mt_font_embedding(font), data.embedding);
     mt_font_close(font);
@@ -758,7 +758,7 @@ static void no_glyphs_after_want_of_memory(void **state) {
     assert_int_equal(mt_font_outline(font, glyph, &arena, &outline, &advance), MT_NO_MEMORY);
     assert_int_equal(mt_font_glyph(font, 'o'), 0);
     assert_false(mt_font_next_char(font, 0, &found));
-    assert_int_equal(mt_font_units(font), 1000);
+    assert_int_equal(mt_font_units_per_em(font), 1000);
     assert_string_equal(mt_font_style(font), "Half Way");
     mt_font_close(font);
 }

@@ -276,7 +276,7 @@ static hb_font_t *open_blank(mt_font *a, hb_font_t *in_a, const mt_charset *char
     for (int i = 0; i < charset->primary_count; i++) kept[i] = (uint16_t)charset->glyphs[i].a;
     for (int i = 0; i < charset->glyph_count; i++)
         data.glyphs[i].advance = (uint16_t)hb_font_get_glyph_h_advance(in_a, charset->glyphs[i].a);
-    data.units = mt_font_units(a);
+    data.units = mt_font_units_per_em(a);
     data.char_count = charset->char_count;
     data.chars = charset->chars;
     mt_assert_ok(mt_gsub_subset(a, kept, charset->primary_count, &arena, &tables));

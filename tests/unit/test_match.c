@@ -161,7 +161,8 @@ static void by_what_several_draw(void **state) {
     assert_int_equal(composed->parts.list[0].glyph, 6);
     assert_int_equal(composed->parts.list[0].dx, 0);
     assert_int_equal(composed->parts.list[1].glyph, 5);
-    assert_true(fabs(composed->parts.list[1].dx * (double)MT_EM / mt_font_units(fonts.b) - first) < 0.5);
+    assert_true(fabs(composed->parts.list[1].dx * (double)MT_EM / mt_font_units_per_em(fonts.b) - first) <
+                0.5);
     mt_outline outline, one;
     mt_assert_ok(mt_font_outline(fonts.b, charset.glyphs[7].b, &arena, &outline, &both));
     mt_assert_ok(mt_font_outline(fonts.b, 5, &arena, &one, &second));

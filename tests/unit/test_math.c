@@ -84,7 +84,8 @@ static mt_status blend(mt_font *a, mt_font *b, const mt_places *places, mt_arena
     mt_charset charset;
     mt_font_glyphs glyphs;
     mt_math *math;
-    int units = mt_font_units(a) > mt_font_units(b) ? mt_font_units(a) : mt_font_units(b);
+    int units =
+        mt_font_units_per_em(a) > mt_font_units_per_em(b) ? mt_font_units_per_em(a) : mt_font_units_per_em(b);
     mt_status status = mt_charset_make(a, b, &(mt_charset_request){0}, made, &charset);
     if (status == MT_OK) status = mt_test_font_glyphs(&charset, 2, made, &glyphs);
     if (status == MT_OK) status = mt_math_prepare((mt_font *[]){a, b}, &glyphs, units, made, &math);

@@ -195,12 +195,12 @@ static void work_is_bounded(void **state) {
     (void)state;
     mt_arena arena = {0};
     assert_true(mt_arena_spend(&arena, INT64_MAX) && !mt_arena_is_spent(&arena));
-    mt_arena_bound(&arena, &(mt_allowance){10, 1000});
+    mt_arena_bound(&arena, &(mt_allowance){10, 1000, NULL});
     assert_true(mt_arena_spend(&arena, 7) && mt_arena_spend(&arena, 3) && !mt_arena_is_spent(&arena));
     assert_false(mt_arena_spend(&arena, 1));
     assert_false(mt_arena_spend(&arena, 0));
     assert_true(mt_arena_is_spent(&arena));
-    mt_arena_bound(&arena, &(mt_allowance){5, 1000});
+    mt_arena_bound(&arena, &(mt_allowance){5, 1000, NULL});
     assert_true(mt_arena_spend(&arena, 5));
     assert_false(mt_arena_spend(&arena, INT64_MAX));
     mt_arena_reset(&arena);
@@ -215,7 +215,7 @@ static void memory_is_bounded(void **state) {
     assert_non_null(mt_arena_new(&arena, 1 << 20, 1));
     mt_arena_reset(&arena);
     assert_non_null(mt_arena_new(&arena, 500, 1));
-    mt_arena_bound(&arena, &(mt_allowance){1000, 1000});
+    mt_arena_bound(&arena, &(mt_allowance){1000, 1000, NULL});
     mt_arena_place place = mt_arena_mark(&arena);
     assert_non_null(mt_arena_new(&arena, 900, 1));
     mt_arena_rewind(&arena, place);

@@ -52,7 +52,8 @@ static void close_contour(void *user) {
     go_to(d, d->start_x, d->start_y);
 }
 
-static const mt_draw draw = {move_to, line_to, quadratic_to, close_contour};
+static const mt_draw draw = {
+    .move_to = move_to, .line_to = line_to, .quadratic_to = quadratic_to, .close = close_contour};
 
 static drawn drawn_at(const mt_moving *moving, double t) {
     drawn d = {.left = INFINITY, .right = -INFINITY};
@@ -167,7 +168,8 @@ static void assert_symmetric(const places *p) {
 
 static void star_and_heart_stay_symmetric(void **state) {
     (void)state;
-    static const mt_draw noting = {note_place, note_place, note_curve, note_end};
+    static const mt_draw noting = {
+        .move_to = note_place, .line_to = note_place, .quadratic_to = note_curve, .close = note_end};
     mt_params params = mt_params_default();
     for (int swapped = 0; swapped < 2; swapped++) {
         mt_path *a = swapped ? heart() : star(), *b = swapped ? star() : heart();
