@@ -238,6 +238,14 @@ typedef enum mt_glyph_set {
 
 /* Which glyphs the fonts that follow have; both fonts' without this. */
 MT_API void mt_blend_set_glyphs(mt_blend *blend, mt_glyph_set set);
+
+typedef enum mt_curves {
+    MT_CURVES_CUBIC,     /* as most editors draw */
+    MT_CURVES_QUADRATIC, /* as in TrueType */
+} mt_curves;
+
+/* The curves of a UFO's outlines; cubic without this. Other formats have quadratic ones. */
+MT_API void mt_blend_set_curves(mt_blend *blend, mt_curves curves);
 /* How many glyphs of the last fonts made are the first font's own, because the second has none for them. */
 MT_API int mt_blend_unblended(const mt_blend *blend);
 
@@ -383,6 +391,8 @@ MT_API void mt_variable_set_alternates(mt_variable *variable, bool alternates);
 MT_API void mt_variable_on_left_out(mt_variable *variable, mt_left_out_noted call, void *user);
 MT_API mt_status mt_variable_set_glyph_numbers(mt_variable *variable, const uint32_t *glyphs, int count);
 MT_API void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set);
+/* The curves of a designspace's masters. */
+MT_API void mt_variable_set_curves(mt_variable *variable, mt_curves curves);
 MT_API int mt_variable_unblended(const mt_variable *variable);
 
 /* Another axis than MORF: its tag, of four letters, and what users set for the first font and for the last, which may be

@@ -24,6 +24,7 @@ const option_row option_rows[] = {
      "the new font's style, such as SemiBold Italic; one for each T"},
     {'G', false, "glyphs", "both|first", NULL,
      "those of both fonts, or all of the first's, unblended where need be"},
+    {'Q', false, "curves", "cubic|quadratic", NULL, "of a UFO's or designspace's outlines; cubic without it"},
     {'E', false, "alternates", NULL, NULL,
      "keep forms that text asks for (small capitals ...) of --text, --chars"},
     {'L', false, "no-layout", NULL, NULL,

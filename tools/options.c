@@ -215,6 +215,13 @@ static int read_glyphs(cli_options *options, const char *argument) {
     return misuse(options->command, "--glyphs %s: both or first is wanted", argument);
 }
 
+static int read_curves(cli_options *options, const char *argument) {
+    bool cubic = strcmp(argument, "cubic") == 0;
+    options->curves = cubic ? MT_CURVES_CUBIC : MT_CURVES_QUADRATIC;
+    if (cubic || strcmp(argument, "quadratic") == 0) return GO_ON;
+    return misuse(options->command, "--curves %s: cubic or quadratic is wanted", argument);
+}
+
 /* The flag of a name, of which `length` bytes are given; 0 for any other. */
 static unsigned find_flag(const char *name, size_t length) {
     for (unsigned flag = 1; flag & MT_FLAG_ALL; flag <<= 1) {
@@ -298,6 +305,7 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'X': return read_axis(command, options, argument);
     case 'x': return read_stops(options, argument);
     case 'G': return read_glyphs(options, argument);
+    case 'Q': return read_curves(options, argument);
     case 'E': return options->alternates = true, GO_ON;
     case 'L': return options->no_layout = true, GO_ON;
     case 'A': return read_map(options, argument);

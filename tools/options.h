@@ -34,6 +34,7 @@ typedef struct cli_options {
     double size;     /* 0: not given */
     int rows;        /* 0: not given */
     mt_glyph_set glyphs;
+    mt_curves curves;
     cli_motion motion;   /* of animate */
     cli_solid solid;     /* of solid */
     unsigned fail_flags; /* of --fail-on; mt_report_flag */

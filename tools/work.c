@@ -319,6 +319,7 @@ static int make_blend(cli_work *work) {
     if (status == MT_OK) status = mt_blend_set_pairs(work->blend, work->pairs.glyphs, work->pairs.count);
     if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
     if (status == MT_OK) mt_blend_set_glyphs(work->blend, options->glyphs);
+    if (status == MT_OK) mt_blend_set_curves(work->blend, options->curves);
     if (status == MT_OK) mt_blend_set_alternates(work->blend, options->alternates);
     if (status == MT_OK && options->family) status = mt_blend_set_family(work->blend, options->family);
     if (status == MT_OK) status = mt_blend_set_styles(work->blend, options->styles, options->style_count);
@@ -345,6 +346,7 @@ static int make_variable(cli_work *work) {
         status = mt_variable_set_pairs(work->variable, work->pairs.glyphs, work->pairs.count);
     if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
     if (status == MT_OK) mt_variable_set_glyphs(work->variable, options->glyphs);
+    if (status == MT_OK) mt_variable_set_curves(work->variable, options->curves);
     if (status == MT_OK) mt_variable_set_alternates(work->variable, options->alternates);
     if (status == MT_OK && options->family) status = mt_variable_set_family(work->variable, options->family);
     if (status == MT_OK && options->style_count)

@@ -234,6 +234,7 @@ void mt_add_extra(mt_font_data *data, uint32_t tag, mt_bytes table) {
 mt_font_data mt_making_font(const mt_making *making, mt_glyf *glyphs) {
     const mt_charset *charset = &making->set.charset;
     mt_font_data data = {.units = making->units,
+                         .curves = making->row->curves,
                          .glyph_count = charset->glyph_count,
                          .glyphs = glyphs,
                          .origins = making->origins,

@@ -96,7 +96,7 @@ static mt_status kern(const mt_positions *positions, mt_between between, mt_aren
     mt_kerning *kerning = mt_arena_new(arena, 1, sizeof *kerning);
     if (!kerning) return MT_NO_MEMORY;
     master->kerning = kerning;
-    return mt_positions_kerning(positions, between.first + between.t, arena, kerning);
+    return mt_positions_master_kerning(positions, between, arena, kerning);
 }
 
 /* What the axis says of a place there: of weight, width or slant, and as the style. */

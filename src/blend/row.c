@@ -294,6 +294,10 @@ void mt_blend_set_glyphs(mt_blend *blend, mt_glyph_set set) {
     blend->row.set = set;
 }
 
+void mt_blend_set_curves(mt_blend *blend, mt_curves curves) {
+    blend->row.curves = curves;
+}
+
 int mt_blend_unblended(const mt_blend *blend) {
     return blend->row.unblended;
 }
@@ -398,6 +402,10 @@ mt_status mt_variable_set_glyph_numbers(mt_variable *variable, const uint32_t *g
 
 void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set) {
     variable->row.set = set;
+}
+
+void mt_variable_set_curves(mt_variable *variable, mt_curves curves) {
+    variable->row.curves = curves;
 }
 
 int mt_variable_unblended(const mt_variable *variable) {

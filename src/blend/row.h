@@ -35,6 +35,7 @@ typedef struct mt_row {
     int wanted_glyph_count; /* of the first font's; neither characters nor glyphs: all */
     uint32_t *wanted_glyphs;
     mt_glyph_set set;
+    mt_curves curves;     /* of a UFO's outlines */
     mt_given_pairs pairs; /* empty: none are given */
     bool alternates;      /* of wanted characters, also those that text has to ask for */
     int unblended;        /* glyphs of the last fonts */

@@ -138,12 +138,22 @@ static void write_axis(const mt_designspace *designspace, const char *name, mt_x
     mt_xml_close(xml);
 }
 
+/* An attribute for a file in a folder; where there is no memory for its name, the document ends with that. */
+static void write_file_name(const char *folder, const char *file, mt_xml *xml) {
+    size_t room = strlen(folder) + strlen(file) + 2;
+    char *path = mt_new(room, 1);
+    if (path) snprintf(path, room, "%s/%s", folder, file);
+    if (path)
+        mt_xml_attribute(xml, "filename", path);
+    else
+        xml->failed = true;
+    mt_free(path);
+}
+
 static void write_source(const mt_designspace *designspace, const char *axis, const struct mt_master *master,
                          mt_xml *xml) {
-    char file[1024];
-    snprintf(file, sizeof file, "%s/%s", designspace->folder_name, master->file);
     mt_xml_open(xml, "source");
-    mt_xml_attribute(xml, "filename", file);
+    write_file_name(designspace->folder_name, master->file, xml);
     mt_xml_attribute(xml, "name", master->style);
     mt_xml_attribute(xml, "familyname", master->family);
     mt_xml_attribute(xml, "stylename", master->style);
@@ -151,10 +161,31 @@ static void write_source(const mt_designspace *designspace, const char *axis, co
     mt_xml_close(xml);
 }
 
+/* Letters and digits of ASCII, and what is beyond it, stay in a file's name. */
+static char in_file_name(char byte) {
+    bool plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
+                 (byte >= '0' && byte <= '9') || byte == '.' || (unsigned char)byte >= 0x80;
+    return plain ? byte : '-';
+}
+
+/* Where programs that make instances put this one: instances/Family-Style.ufo, beside the document. */
+static void write_instance_file(const char *family, const char *style, mt_xml *xml) {
+    size_t room = strlen(family) + strlen(style) + sizeof "-.ufo";
+    char *file = mt_new(room, 1);
+    xml->failed = xml->failed || !file;
+    if (!file) return;
+    int stem = snprintf(file, room, "%s-%s", family, style);
+    for (int i = 0; i < stem; i++) file[i] = in_file_name(file[i]);
+    memcpy(file + stem, ".ufo", sizeof ".ufo");
+    write_file_name("instances", file, xml);
+    mt_free(file);
+}
+
 static void write_instance(const mt_designspace *designspace, const char *axis, const mt_named_place *place,
                            mt_xml *xml) {
     double along = mt_axis_along(&designspace->variable->axis, place->value);
     mt_xml_open(xml, "instance");
+    write_instance_file(designspace->masters[0].family, place->name, xml);
     mt_xml_attribute(xml, "familyname", designspace->masters[0].family);
     mt_xml_attribute(xml, "stylename", place->name);
     mt_xml_attribute(xml, "name", place->name);

@@ -13,20 +13,57 @@ static bool is_smooth(mt_glyf_point before, mt_glyf_point p, mt_glyf_point after
     return fabs(cross) <= hypot(ax + bx, ay + by) && fabs(cross) <= tan(10 * acos(-1) / 180) * dot;
 }
 
-static void write_point(mt_glyf_point before, mt_glyf_point p, mt_glyf_point after, mt_xml *xml) {
+/* `type` is NULL for a control. */
+static void write_place(int x, int y, const char *type, bool smooth, mt_xml *xml) {
     mt_xml_open(xml, "point");
-    mt_xml_number(xml, "x", p.x);
-    mt_xml_number(xml, "y", p.y);
-    if (p.on) mt_xml_attribute(xml, "type", before.on ? "line" : "qcurve");
-    if (is_smooth(before, p, after)) mt_xml_attribute(xml, "smooth", "yes");
+    mt_xml_number(xml, "x", x);
+    mt_xml_number(xml, "y", y);
+    if (type) mt_xml_attribute(xml, "type", type);
+    if (smooth) mt_xml_attribute(xml, "smooth", "yes");
     mt_xml_close(xml);
 }
 
+static void write_point(mt_glyf_point before, mt_glyf_point p, mt_glyf_point after, mt_curves curves,
+                        mt_xml *xml) {
+    const char *curve = curves == MT_CURVES_CUBIC ? "curve" : "qcurve";
+    write_place(p.x, p.y, !p.on ? NULL : before.on ? "line" : curve, is_smooth(before, p, after), xml);
+}
+
+/* ---- cubic curves ----------------------------------------------------------------------------------------- */
+
+/* Between two points off the curve one lies on it. */
+static mt_vector between(mt_glyf_point p, mt_glyf_point q) {
+    return (mt_vector){(p.x + q.x) / 2.0, (p.y + q.y) / 2.0};
+}
+
+static mt_vector end_beside(mt_glyf_point control, mt_glyf_point neighbour) {
+    return neighbour.on ? (mt_vector){neighbour.x, neighbour.y} : between(control, neighbour);
+}
+
+/* A quadratic's controls as a cubic has them: two thirds of the way from each end to its one. */
+static void write_control(mt_vector end, mt_glyf_point control, mt_xml *xml) {
+    write_place((int)lround((end.x + 2.0 * control.x) / 3), (int)lround((end.y + 2.0 * control.y) / 3), NULL,
+                false, xml);
+}
+
+/* In place of a point off the curve: both controls, and the end that quadratics leave implied, in whole units. */
+static void write_cubic(mt_glyf_point before, mt_glyf_point p, mt_glyf_point after, mt_xml *xml) {
+    mt_vector end = end_beside(p, after);
+    write_control(end_beside(p, before), p, xml);
+    write_control(end, p, xml);
+    if (!after.on) write_place((int)lround(end.x), (int)lround(end.y), "curve", true, xml);
+}
+
 /* Closed contours have no first point: a curve may lie about the end of the list. */
-static void write_contour(const mt_glyf_point *points, int count, mt_xml *xml) {
+static void write_contour(const mt_glyf_point *points, int count, mt_curves curves, mt_xml *xml) {
     mt_xml_open(xml, "contour");
-    for (int i = 0; i < count; i++)
-        write_point(points[(i + count - 1) % count], points[i], points[(i + 1) % count], xml);
+    for (int i = 0; i < count; i++) {
+        mt_glyf_point before = points[(i + count - 1) % count], after = points[(i + 1) % count];
+        if (curves == MT_CURVES_CUBIC && !points[i].on)
+            write_cubic(before, points[i], after, xml);
+        else
+            write_point(before, points[i], after, curves, xml);
+    }
     mt_xml_close(xml);
 }
 
@@ -48,11 +85,11 @@ static void write_reference(const mt_glyf_reference *reference, const mt_ufo_gly
     mt_xml_close(xml);
 }
 
-static void write_outline(const mt_glyf *glyf, const mt_ufo_glyphs *glyphs, mt_xml *xml) {
+static void write_outline(const mt_glyf *glyf, const mt_ufo_glyphs *glyphs, mt_curves curves, mt_xml *xml) {
     mt_xml_open(xml, "outline");
     for (int i = 0; i < glyf->reference_count; i++) write_reference(&glyf->references[i], glyphs, xml);
     for (int i = 0, start = 0; i < glyf->contour_count; start = glyf->ends[i++] + 1)
-        write_contour(glyf->points + start, glyf->ends[i] + 1 - start, xml);
+        write_contour(glyf->points + start, glyf->ends[i] + 1 - start, curves, xml);
     mt_xml_close(xml);
 }
 
@@ -74,7 +111,7 @@ void mt_ufo_glif(const mt_font_data *data, const mt_ufo_glyphs *glyphs, int glyp
     if (data->metrics.vertical) mt_xml_number(xml, "height", glyf->height);
     mt_xml_close(xml);
     write_code_points(glyphs, glyph, xml);
-    write_outline(glyf, glyphs, xml);
+    write_outline(glyf, glyphs, data->curves, xml);
     if (data->metrics.vertical) write_origin(glyf->origin, xml);
     mt_xml_close(xml);
 }

@@ -7,7 +7,8 @@ import subprocess
 import cli
 import harfbuzz
 from fontTools import fontBuilder, ttLib
-from fontTools.pens.recordingPen import RecordingPointPen
+from fontTools.pens.basePen import decomposeQuadraticSegment
+from fontTools.pens.recordingPen import DecomposingRecordingPen, RecordingPointPen
 from fontTools.pens.ttGlyphPen import TTGlyphPointPen
 from fontTools.ufoLib import UFOReader
 from fontTools.ufoLib.filenames import userNameToFileName
@@ -68,7 +69,8 @@ class Test(cli.Test):
         return made | super().files()
 
     def blend(self, output, *arguments, fonts=FONTS):
-        self.assertEqual(self.made('blend', *fonts, '-q', '-o', output, *arguments), [])
+        curves = () if '--curves' in arguments else ('--curves', 'quadratic')
+        self.assertEqual(self.made('blend', *fonts, '-q', '-o', output, *arguments, *curves), [])
         return self.path(output)
 
 
@@ -168,6 +170,76 @@ class Sources(Test):
         self.assertGreater(len(folders[0]), 25)
         for folder in folders[1:]:
             self.assertEqual(folders[0], folder)
+
+
+class Curves(Test):
+    """--curves"""
+
+    def segments(self, path):
+        """Of each glyph by its name, the segments: where each starts, its controls, its end. Quadratics are parted where they imply it."""
+        glyphs, found = UFOReader(path).getGlyphSet(), {}
+        for name in glyphs.keys():
+            pen = DecomposingRecordingPen(glyphs)
+            glyphs[name].draw(pen)
+            found[name] = list(self.parted(pen.value))
+        return found
+
+    @staticmethod
+    def parted(calls):
+        last = None
+        for call, points in calls:
+            if call == 'qCurveTo':
+                for control, end in decomposeQuadraticSegment(points):
+                    yield [last, control, end]
+                    last = end
+            elif call == 'curveTo':
+                yield [last, *points]
+            elif call == 'lineTo':
+                yield [last, *points]
+            last = points[-1] if points else last
+
+    @staticmethod
+    def place(segment, t):
+        points = segment
+        while len(points) > 1:
+            points = [tuple(a + (b - a) * t for a, b in zip(p, q)) for p, q in zip(points, points[1:])]
+        return points[0]
+
+    def test_cubic_ones_are_where_quadratic_ones_are(self):
+        """Within the unit by which places are rounded."""
+        cubic, quadratic = (self.segments(self.blend(f'{kind}.ufo', '--text', 'OBagS&8', '--curves', kind))
+                            for kind in ('cubic', 'quadratic'))
+        self.assertEqual(cubic.keys(), quadratic.keys())
+        curved = 0
+        for name in cubic:
+            ours, theirs = cubic[name], quadratic[name]
+            self.assertEqual(len(ours), len(theirs))
+            for one, other in zip(ours, theirs):
+                self.assertEqual(len(one), {2: 2, 3: 4}[len(other)])
+                curved += len(one) == 4
+                for t in (0, 0.25, 0.5, 0.75, 1):
+                    away = max(abs(a - b) for a, b in zip(self.place(one, t), self.place(other, t)))
+                    self.assertLessEqual(away, 1, name)
+        self.assertGreater(curved, 40)
+
+    def test_cubic_without_the_option(self):
+        self.made('blend', *FONTS, '-q', '-o', 'x.ufo', '--text', 'O')
+        self.assertIn('type="curve"', (self.path('x.ufo') / 'glyphs' / 'O_.glif').read_text())
+        self.assertNotIn('qcurve', (self.path('x.ufo') / 'glyphs' / 'O_.glif').read_text())
+
+    def test_fontmake_builds_it(self):
+        """Without further options, both ways."""
+        self.made('blend', *FONTS, '-q', '-o', 'x.ufo', '--text', 'AVATO')
+        subprocess.run(['fontmake', '-u', 'x.ufo', '--output-dir', 'made'], cwd=self.directory, check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.made('blend', *FONTS, '-q', '-o', 'x.ttf', '--text', 'AVATO')
+        wanted = [advance for _, advance, _, _ in harfbuzz.shape(self.path('x.ttf'), 'AVATAVTO')]
+        for kind in ('ttf', 'otf'):
+            made = [advance for _, advance, _, _ in harfbuzz.shape(self.path(f'made/x.{kind}'), 'AVATAVTO')]
+            self.assertEqual(made, wanted)
+
+    def test_usage(self):
+        self.refused(2, 'blend', *FONTS, '--curves', 'round', '-o', 'x.ufo', says=['--curves round', 'cubic'])
 
 
 class Sample(Test):

@@ -1,11 +1,14 @@
 """Variable fonts: their tables, their instances beside the blends at the same places, how they are drawn, and their masters."""
 
 import os
+import pathlib
 import subprocess
 
 import cli
+import harfbuzz
 from fontTools import ttLib
 from fontTools.designspaceLib import DesignSpaceDocument
+from fontTools.ufoLib import UFOReader
 from fontTools.varLib import instancer, interpolatable
 
 SAMPLE = os.environ['VARIABLE_SAMPLE']
@@ -433,6 +436,32 @@ class Masters(Variable):
             value = 50 if len(fonts) == 2 else 25
             compared = sampled('compare', 'freetype', made, value, blend, text=TEXT)
             self.assertGreaterEqual(min(share for share, *_ in compared.values()), 0.99)
+
+    def test_kerning_is_by_the_same_groups_and_pairs(self):
+        """Also where a pair is 0 in one master, so that programs mix it as it is."""
+        _, paths = self.masters(*FONTS, text='AVTWLPoaevy.,-')
+        groups, kerning = zip(*((reader.readGroups(), reader.readKerning()) for reader in map(UFOReader, paths)))
+        self.assertGreater(len(groups[0]), 10)
+        self.assertEqual(*groups)
+        self.assertEqual(*(set(pairs) for pairs in kerning))
+        self.assertNotEqual(*kerning)
+
+    def test_fontmake_makes_instances(self):
+        """Without further options, in the files that the document names, and kerned as blends are."""
+        text = 'AVATAVTOWave.'
+        document, _ = self.masters(*FONTS, text=text)
+        names = [pathlib.PurePath(instance.filename) for instance in document.instances]
+        self.assertEqual({name.parent.name for name in names}, {'instances'})
+        self.assertEqual(len(set(names)), len(names))
+        subprocess.run(['fontmake', '-m', 'x.designspace', '-i', '--output-dir', 'made'], cwd=self.directory, check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.made('blend', *FONTS, '--text', text, '--at', '0.25,0.5', '-q', '-o', 'y.ttf')
+        for t in (0.25, 0.5):
+            wanted = [advance for _, advance, _, _ in harfbuzz.shape(self.path(f'y-{t}.ttf'), text)]
+            for kind in ('ttf', 'otf'):
+                path, = self.path('made').glob(f'*-{round(100 * t)}.{kind}')
+                made = [advance for _, advance, _, _ in harfbuzz.shape(path, text)]
+                self.assertLessEqual(max(abs(a - b) for a, b in zip(made, wanted, strict=True)), 2)
 
     def test_old_ones_are_replaced_and_others_are_not(self):
         self.masters(*FONTS, text='AB')

@@ -56,6 +56,7 @@ static void write_sample(const char *path) {
     mt_folder folder;
     mt_font_data data = with_composite(&arena);
     data.kerning = &kerning;
+    data.curves = MT_CURVES_QUADRATIC;
     mt_assert_ok(mt_folder_begin(path, &folder));
     mt_assert_ok(mt_ufo_write(&data, &folder));
     mt_assert_ok(mt_folder_place(&folder, MT_UFO_MARK));
