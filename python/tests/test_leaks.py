@@ -12,7 +12,7 @@ import morphotype
 from support import SANS, SERIF
 
 BLENDS, WARM_UP = 1300, 300
-GROWTH_MOST = 2 << 20  # bytes; a font that stays is 40 kB, and a thousand of them 40 MB
+GROWTH_MOST = 6 << 20  # bytes: the allocators of C and of Python come to rest slowly; a font that stays is 40 kB, a thousand of them 40 MB
 
 
 def resident():
