@@ -399,10 +399,15 @@ class Sending(InChromium):
             return range.getBoundingClientRect().width""")
 
     def test_paragraph(self):
+        before = self.text_of('#text'), self.text_of('#pixels')
         self.browser.click('#paragraph')
         self.assertEqual(self.text_of('#pixels'), '18 px')
         self.assertGreater(len(self.text_of('#text')), 400)
         self.assertLess(self.box('#text')[2], 18 * 35)
+        self.browser.click('#paragraph')
+        self.assertEqual((self.text_of('#text'), self.text_of('#pixels')), before)
+        self.open(self.page, '#paragraph=1&size=24&text=Short')
+        self.assertEqual((self.text_of('#text'), self.text_of('#pixels')), ('Short', '24 px'))
 
     def test_both_ends_are_drawn_over(self):
         self.browser.click('.cell[data-character="g"]')

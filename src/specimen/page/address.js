@@ -27,11 +27,11 @@ function writeAddress() {
 /* What an address says, shown; what it leaves out stays as it is. */
 function followAddress() {
   const wishes = readAddress();
+  for (const [name, toggle] of [['paragraph', toggleParagraph], ['vertical', toggleVertical]])
+    if (wishes.has(name) && !isPressed(at(name)) && !at(name).hidden) toggle();
   if (wishes.has('text')) setText(wishes.get('text'));
   if (wishes.has('size')) at('size').value = wayOf(clamp(numberOf(wishes, 'size', 60), SMALLEST, LARGEST));
   if (wishes.has('tracking')) at('tracking').value = numberOf(wishes, 'tracking', 0);
-  for (const [name, toggle] of [['paragraph', toggleParagraph], ['vertical', toggleVertical]])
-    if (wishes.has(name) && !isPressed(at(name)) && !at(name).hidden) toggle();
   if (wishes.has('features')) setFeatures(wishes.get('features').split(','));
   showSize();
   showTracking();

@@ -73,13 +73,27 @@ function toggleVertical() {
 /* Set as a paragraph is: small, in a measure, with room between the lines; the text is repeated until it is one. */
 const PARAGRAPH_SIZE = 18, PARAGRAPH_LENGTH = 480; /* pixels, characters */
 
-function toggleParagraph() {
-  const paragraph = at('text').classList.toggle('paragraph'), text = textNow().trim();
-  at('paragraph').setAttribute('aria-pressed', paragraph);
-  if (!paragraph) return;
+let beforeParagraph; /* text and size, and the paragraph made of the text */
+
+function beginParagraph(text) {
+  const times = text && text.length < PARAGRAPH_LENGTH ? Math.ceil(PARAGRAPH_LENGTH / text.length) : 1;
+  beforeParagraph = {text, size: at('size').value, made: Array(times).fill(text).join(' ')};
   at('size').value = wayOf(PARAGRAPH_SIZE);
+  setText(beforeParagraph.made);
+}
+
+/* What was typed since then stays. */
+function endParagraph() {
+  at('size').value = beforeParagraph.size;
+  if (textNow() === beforeParagraph.made) setText(beforeParagraph.text);
+}
+
+function toggleParagraph() {
+  const paragraph = at('text').classList.toggle('paragraph');
+  at('paragraph').setAttribute('aria-pressed', paragraph);
+  if (paragraph) beginParagraph(textNow().trim());
+  else endParagraph();
   showSize();
-  if (text && text.length < PARAGRAPH_LENGTH) setText(Array(Math.ceil(PARAGRAPH_LENGTH / text.length)).fill(text).join(' '));
 }
 
 /* Scripts that are set in columns too. */
