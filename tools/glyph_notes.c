@@ -99,7 +99,8 @@ static void describe(const glyph_note *note, char *text, size_t room) {
         snprintf(text, room, "/gid%lu", (unsigned long)note->glyph);
 }
 
-static void list_glyphs(const glyph_note *notes, int count, char *text, size_t room) {
+/* With their places where these are of interest: "“k” (U+006B) at 1.12, …" */
+static void list_glyphs(const glyph_note *notes, int count, bool placed, char *text, size_t room) {
     size_t used = 0;
     int named = 0;
     *text = '\0';
@@ -107,6 +108,7 @@ static void list_glyphs(const glyph_note *notes, int count, char *text, size_t r
         if (named) used += (size_t)snprintf(text + used, room - used, ", ");
         describe(&notes[named], text + used, room - used);
         used += strlen(text + used);
+        if (placed) used += (size_t)snprintf(text + used, room - used, " at %.2f", notes[named].t);
     }
     if (named < count) snprintf(text + used, room - used, " and %d more", count - named);
 }
@@ -125,7 +127,7 @@ static void describe_reason(const glyph_note *note, const cli_options *options, 
 
 static void say_failures(const glyph_note *notes, int count, const cli_options *options) {
     char glyphs[LINE_ROOM], reason[4096];
-    list_glyphs(notes, count, glyphs, sizeof glyphs);
+    list_glyphs(notes, count, false, glyphs, sizeof glyphs);
     describe_reason(notes, options, reason, sizeof reason);
     if (count == 1)
         say("%s: not blended, %s: %s", glyphs,
@@ -146,7 +148,7 @@ void glyph_notes_say_failures(glyph_notes *notes, const cli_options *options) {
 static void say_unblended(const glyph_note *notes, int count, const cli_options *options) {
     char glyphs[LINE_ROOM];
     bool two = options->font_count == 2;
-    list_glyphs(notes, count, glyphs, sizeof glyphs);
+    list_glyphs(notes, count, false, glyphs, sizeof glyphs);
     say("%d glyph%s that %s %s not stay%s as in %s: %s", count, count == 1 ? "" : "s",
         two ? options->fonts[1] : "the other fonts", two ? "has" : "have", count == 1 ? "s" : "",
         options->fonts[0], glyphs);
@@ -165,7 +167,7 @@ void glyph_notes_say_cut_short(glyph_notes *notes, const cli_options *options) {
     sort(notes);
     for (int from = 0, end; from < notes->count; from = end) {
         end = options->verbose ? from + 1 : notes->count;
-        list_glyphs(&notes->list[from], end - from, glyphs, sizeof glyphs);
+        list_glyphs(&notes->list[from], end - from, false, glyphs, sizeof glyphs);
         bool one = end - from == 1;
         say("%d glyph%s took all the effort that a glyph may, and %s the best until then; a larger --effort "
             "tries "
@@ -182,26 +184,12 @@ static double asked_for(const cli_options *options, bool past_second) {
     return t;
 }
 
-/* "“k” (U+006B) at 1.12, …" */
-static void list_held(const glyph_note *notes, int count, char *text, size_t room) {
-    size_t used = 0;
-    int named = 0;
-    *text = '\0';
-    for (; named < count && named < NAMED_MOST && used + 1024 < room; named++) {
-        if (named) used += (size_t)snprintf(text + used, room - used, ", ");
-        describe(&notes[named], text + used, room - used);
-        used += strlen(text + used);
-        used += (size_t)snprintf(text + used, room - used, " at %.2f", notes[named].t);
-    }
-    if (named < count) snprintf(text + used, room - used, " and %d more", count - named);
-}
-
 void glyph_notes_say_held(glyph_notes *notes, const cli_options *options) {
     char glyphs[LINE_ROOM];
     sort(notes);
     for (int from = 0, end; from < notes->count; from = end) {
         end = options->verbose ? from + 1 : kind_end(notes, from);
-        list_held(&notes->list[from], end - from, glyphs, sizeof glyphs);
+        list_glyphs(&notes->list[from], end - from, true, glyphs, sizeof glyphs);
         say("%d glyph%s short of T = %g, where %s drawing would come apart or close: %s", end - from,
             end - from == 1 ? " stays" : "s stay", asked_for(options, notes->list[from].t > 0.5),
             end - from == 1 ? "its" : "their", glyphs);

@@ -1,20 +1,11 @@
 /* The inspection as a page, on which hints are made by pointing (pointing/pointing.h has what its script reads of a glyph). */
-#include "base/html.h"
 #include "base/page.h"
-#include "base/utf.h"
 #include "pointing/idle_hints.h"
 #include "picture/page.h"
 #include "picture/view.h"
 #include "pointing/pointing.h"
 
 /* ---- glyphs -------------------------------------------------------------------------------------------- */
-
-/* What a person reads: the character itself, or /NAME. */
-static void name_choice(const mt_choice *choice, char name[MT_CHOICE_LABEL_ROOM]) {
-    mt_choice_label(choice, name);
-    if (choice->name) return;
-    if (!mt_html_is_control(choice->code_point)) name[mt_utf8_put(choice->code_point, name)] = '\0';
-}
 
 typedef struct mt_inspect_page {
     mt_row *row;
@@ -25,17 +16,17 @@ typedef struct mt_inspect_page {
 /* An mt_view_taken. */
 static mt_status take_view(const mt_view *view, int index, mt_arena *arena, void *user) {
     mt_inspect_page *page = user;
-    char name[MT_CHOICE_LABEL_ROOM], label[MT_CHOICE_LABEL_ROOM];
+    char label[MT_CHOICE_LABEL_ROOM];
     bool *idle;
     (void)index;
     page->alone += !view->paired;
     if (!view->paired) return MT_OK;
-    name_choice(view->choice, name);
     mt_choice_label(view->choice, label);
     mt_status status =
         mt_pair_find_idle_hints(page->row, 0, view->glyphs.a, view->glyphs.b, &view->pair, arena, &idle);
     if (status != MT_OK) return status;
-    mt_pointed_glyph glyph = {name, label, view->glyphs.a, view->glyphs.b, &view->pair, idle};
+    uint32_t code_point = view->choice->name ? 0 : view->choice->code_point;
+    mt_pointed_glyph glyph = {label, code_point, view->glyphs.a, view->glyphs.b, &view->pair, idle};
     return mt_pointing_add_glyph(&page->json, page->row, &glyph, arena);
 }
 

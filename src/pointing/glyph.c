@@ -1,4 +1,5 @@
 #include "base/html.h"
+#include "base/utf.h"
 #include "geometry/limits.h"
 #include "morph/between/variable_outline.h"
 #include "morph/paper/rotation.h"
@@ -117,11 +118,19 @@ static void add_hints(mt_json *json, const mt_row *row, const mt_pointed_glyph *
     mt_json_array_end(json);
 }
 
+/* As a person reads it: the character itself, where it can be seen, or the label. */
+static void add_glyph_name(mt_json *json, const mt_pointed_glyph *glyph) {
+    char character[5] = "";
+    bool seen = glyph->code_point && !mt_html_is_control(glyph->code_point);
+    if (seen) mt_utf8_put(glyph->code_point, character);
+    mt_json_text(json, "name", seen ? character : glyph->label);
+}
+
 mt_status mt_pointing_add_glyph(mt_json *json, mt_row *row, const mt_pointed_glyph *glyph, mt_arena *arena) {
     const mt_morph *morph = &glyph->pair->morph;
     mt_json_one_line(json);
     mt_json_object(json, NULL);
-    mt_json_text(json, "name", glyph->name);
+    add_glyph_name(json, glyph);
     mt_json_text(json, "label", glyph->label);
     mt_status status = add_side(json, "a", row, 0, glyph->a, &morph->a, arena);
     if (status == MT_OK) status = add_side(json, "b", row, 1, glyph->b, &morph->b, arena);

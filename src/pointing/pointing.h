@@ -11,9 +11,9 @@
 #include "blend/pair.h"
 
 typedef struct mt_pointed_glyph {
-    const char *name;  /* as a person reads it: the character itself, or /NAME */
-    const char *label; /* as a file of hints names it after "glyph": U+0041 or /NAME */
-    uint32_t a, b;     /* the glyphs in the first two fonts */
+    const char *label;   /* as a file of hints names it after "glyph": U+0041 or /NAME */
+    uint32_t code_point; /* of a label that is a character's; 0 for a name */
+    uint32_t a, b;       /* the glyphs in the first two fonts */
     const mt_glyph_pair *pair;
     const bool *idle; /* of each hint: it changes nothing (pointing/idle_hints.h); NULL: not known */
 } mt_pointed_glyph;

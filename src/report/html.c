@@ -2,7 +2,6 @@
  * pointing. */
 #include "base/html.h"
 #include "base/page.h"
-#include "base/utf.h"
 #include "base/workers.h"
 #include "geometry/limits.h"
 #include "pointing/pointing.h"
@@ -67,12 +66,10 @@ static void put_percent(mt_page *page, const char *sign, double share) {
 /* What the script reads of a glyph. */
 static mt_status add_data(mt_json *json, const mt_report *report, const mt_pairing *of,
                           const mt_glyph_pair *pair, mt_arena *arena) {
-    char name[MT_GLYPH_LABEL_ROOM], label[MT_GLYPH_LABEL_ROOM];
+    char label[MT_GLYPH_LABEL_ROOM];
     mt_naming_label(report->naming, of->a, label);
     if (of->mapped) snprintf(label, sizeof label, "U+%04lX", (unsigned long)of->code_point);
-    snprintf(name, sizeof name, "%s", label);
-    if (of->mapped && !mt_html_is_control(of->code_point)) name[mt_utf8_put(of->code_point, name)] = '\0';
-    mt_pointed_glyph glyph = {name, label, of->a, of->b, pair, NULL};
+    mt_pointed_glyph glyph = {label, of->mapped ? of->code_point : 0, of->a, of->b, pair, NULL};
     return mt_pointing_add_glyph(json, report->row, &glyph, arena);
 }
 
