@@ -1,8 +1,8 @@
 """Writes a page as C: its markup cut at its slots, with the style, the script and the policy in it.
 
-    embed.py OUT.c NAME PAGE.html STYLE.css… SCRIPT.js…
+    embed.py OUT.c NAME PAGE.html HEAD.html STYLE.css… SCRIPT.js…
 
-NAME is that of the array of parts. Styles become one, and scripts, in the order given. The policy lets in this style and this
+NAME is that of the array of parts, and HEAD what the heads of all pages have. Styles become one, and scripts, in the order given. The policy lets in this style and this
 script, by their digests (Content Security Policy, section 2.3.1), fonts and the icon as data: URLs, and nothing else.
 """
 
@@ -68,11 +68,11 @@ def source(name, parts):
 
 
 def main():
-    out, name, page, *files = sys.argv[1:]
+    out, name, page, head, *files = sys.argv[1:]
     style, script = (''.join(read(file) for file in files if file.endswith(end)) for end in ('.css', '.js'))
     check('the style', style, '</style')
     check('the script', script, '</script')
-    page = fill(read(page), {'policy': policy(style, script), 'style': style, 'script': script})
+    page = fill(read(page), {'head': read(head), 'policy': policy(style, script), 'style': style, 'script': script})
     pathlib.Path(out).write_text(source(name, cut(page)), encoding='utf-8')
 
 
