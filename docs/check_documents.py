@@ -4,7 +4,7 @@
 
 Links lead to files and headings that are there. A path between back quotes is a file of the repository, of src/ or of
 src/morph/, and so are the files in architecture.md's table of rooms. A name that begins with mt_ or MT_ stands in src/ or
-tests/. docs/guide.md has every command of PROGRAM and every option of each.
+tests/. docs/guide.md has every command of PROGRAM and every option of each. The version is that of PROGRAM wherever it is named.
 """
 
 import pathlib
@@ -81,9 +81,25 @@ def check_guide(text):
                 yield f'{command} {option} is in no table'
 
 
+# The newest version in each text that names it.
+VERSIONS = {
+    'CHANGELOG.md': r'^## (\S+)',
+    'README.md': r'^Version ([\d.]+\d)',
+    'debian/changelog': r'^morphotype \((.*?)\)',
+}
+
+
+def check_versions():
+    version = subprocess.run([PROGRAM, '--version'], capture_output=True, text=True, check=True).stdout.split()[-1]
+    for name, pattern in VERSIONS.items():
+        found = re.search(pattern, (ROOT / name).read_text(encoding='utf-8'), flags=re.M)
+        if not found or found[1] != version:
+            yield f'{name}: its version is not that of the program, {version}'
+
+
 sources = [*(ROOT / 'src').rglob('*.[ch]'), *(ROOT / 'src').rglob('*.cpp'), *(ROOT / 'tests').rglob('*.[ch]')]
 source = '\n'.join(path.read_text(encoding='utf-8') for path in sources)
-failures = []
+failures = [*check_versions()]
 for document in DOCUMENTS:
     text = document.read_text(encoding='utf-8')
     found = [*check_links(document, text), *check_paths(prose_of(text)), *check_names(text, source)]
