@@ -119,6 +119,29 @@ MT_API int mt_font_units_per_em(const mt_font *font);
 MT_API mt_status mt_font_draw(mt_font *font, uint32_t glyph, const mt_draw *draw, void *user,
                               double *advance);
 
+/* ---- caches -------------------------------------------------------------------------------------------- */
+
+/* Glyphs that were prepared before, in this run or another one, in a directory: each is found by all that it depends on, which is both
+ * drawings, hints, parameters and the version of the engine. So what comes out is the same, and only sooner. Several
+ * processes may have one directory at once, and several threads and blends a handle. What is damaged there is as none; but a cache is
+ * trusted as fonts are not: glyphs are as whoever may write to it has them. */
+typedef struct mt_cache mt_cache;
+
+#define MT_CACHE_BYTES ((uint64_t)4 << 30)
+#define MT_CACHE_BYTES_LEAST ((uint64_t)1 << 20)
+
+/* Opens a directory, which is made where none is. It has `most` bytes at most; 0 means MT_CACHE_BYTES. When there would be more, those
+ * glyphs go that were used longest ago. MT_BAD_PARAMETER under MT_CACHE_BYTES_LEAST, MT_CANNOT_WRITE (errno says why), MT_NO_MEMORY. */
+MT_API mt_status mt_cache_open(const char *directory, uint64_t most, mt_cache **cache);
+MT_API void mt_cache_close(mt_cache *cache); /* NULL is fine */
+
+/* What has been asked of it since it was opened: glyphs of two fonts that were there, that were made, and of these such as
+ * could not be kept. */
+typedef struct mt_cache_counts {
+    int found, made, lost;
+} mt_cache_counts;
+MT_API mt_cache_counts mt_cache_count(const mt_cache *cache);
+
 /* ---- blends -------------------------------------------------------------------------------------------- */
 
 typedef enum mt_rotation {
@@ -246,6 +269,8 @@ typedef enum mt_curves {
 
 /* The curves of a UFO's outlines; cubic without this. Other formats have quadratic ones. */
 MT_API void mt_blend_set_curves(mt_blend *blend, mt_curves curves);
+/* Glyphs are taken from the cache, and kept there; the blend keeps using it: close it after the blend. NULL means none. */
+MT_API void mt_blend_set_cache(mt_blend *blend, mt_cache *cache);
 /* How many glyphs of the last fonts made are the first font's own, because the second has none for them. */
 MT_API int mt_blend_unblended(const mt_blend *blend);
 
@@ -393,6 +418,7 @@ MT_API mt_status mt_variable_set_glyph_numbers(mt_variable *variable, const uint
 MT_API void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set);
 /* The curves of a designspace's masters. */
 MT_API void mt_variable_set_curves(mt_variable *variable, mt_curves curves);
+MT_API void mt_variable_set_cache(mt_variable *variable, mt_cache *cache);
 MT_API int mt_variable_unblended(const mt_variable *variable);
 
 /* Another axis than MORF: its tag, of four letters, and what users set for the first font and for the last, which may be

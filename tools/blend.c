@@ -101,7 +101,7 @@ const cli_command blend_command = {
                   "morphotype blend A.ttf B.otf --text type --family Between -o Between.woff2"}},
     .reads = CLI_FONT_FILES,
     .writes = "ttf woff2 ufo",
-    .takes = "oatcFYGELSPQ",
+    .takes = "oatcFYGELSPQ01",
     .at_past = MT_REACH_MOST,
     .fonts_min = 2,
     .fonts_max = 2,

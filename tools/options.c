@@ -271,6 +271,13 @@ static int read_method(cli_options *options, const char *argument) {
     return misuse(options->command, "--method %s: joint or paper is wanted", argument);
 }
 
+static int read_cache_size(cli_options *options, const char *argument) {
+    double gigabytes = 0;
+    int outcome = read_double(options, "cache-size", argument, 0.01, 10000, &gigabytes);
+    if (outcome == GO_ON) options->cache_bytes = (uint64_t)(gigabytes * 1e9);
+    return outcome;
+}
+
 /* The options of the engine. */
 static int read_param(cli_options *options, char letter, const char *argument) {
     mt_params *params = &options->params;
@@ -312,6 +319,8 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'P': return options->pairs_file = argument, GO_ON;
     case 'H': return options->hints_file = argument, GO_ON;
     case 'B': return read_fail_on(options, argument);
+    case '0': return options->cache = argument, GO_ON;
+    case '1': return read_cache_size(options, argument);
     case 'J': return options->json = true, GO_ON;
     case 'S': return options->strict = true, GO_ON;
     case 'q': return options->quiet = true, GO_ON;
@@ -419,6 +428,8 @@ static int check_together(const cli_command *command, const cli_options *options
     };
     if (options->stop_count && !options->own_stops)
         return misuse(options->command, "--stops: --axis TAG is wanted with it, without FROM..TO");
+    if (options->cache_bytes && !options->cache)
+        return misuse(options->command, "--cache-size: --cache DIR is wanted with it");
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
         if (pairs[i].first && pairs[i].second)
             return misuse(options->command, "%s and %s exclude each other", pairs[i].names[0],

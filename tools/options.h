@@ -27,12 +27,14 @@ typedef struct cli_options {
     int style_count;             /* 0: not given */
     char axis_tag[5];            /* "": not given */
     double axis_from, axis_to;
-    bool own_stops;  /* --axis without them: each font at a place of its own */
-    bool has_italic; /* of a family: it has italics in another file */
-    double *stops;   /* where each font stands; from mt_new */
-    int stop_count;  /* 0: not given */
-    double size;     /* 0: not given */
-    int rows;        /* 0: not given */
+    bool own_stops;       /* --axis without them: each font at a place of its own */
+    bool has_italic;      /* of a family: it has italics in another file */
+    double *stops;        /* where each font stands; from mt_new */
+    int stop_count;       /* 0: not given */
+    const char *cache;    /* a directory; NULL: not given */
+    uint64_t cache_bytes; /* 0: not given */
+    double size;          /* 0: not given */
+    int rows;             /* 0: not given */
     mt_glyph_set glyphs;
     mt_curves curves;
     cli_motion motion;   /* of animate */

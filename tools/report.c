@@ -71,7 +71,7 @@ const cli_command report_command = {
                   "morphotype report A.ttf B.otf -o report.html"}},
     .reads = CLI_FONT_FILES,
     .writes = "html json",
-    .takes = "otcBELP",
+    .takes = "otcBELP01",
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

@@ -80,7 +80,7 @@ const cli_command sheet_command = {
                   "morphotype sheet A.ttf B.otf --text type --steps 5 -o sheet.pdf"}},
     .reads = CLI_FONT_FILES,
     .writes = "pdf png svg",
-    .takes = "oantczpSLP",
+    .takes = "oantczpSLP01",
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

@@ -54,7 +54,7 @@ const cli_command strip_command = {
                   "morphotype strip A.ttf B.otf --text type --steps 5 -o strip.png"}},
     .reads = CLI_FONT_FILES,
     .writes = "png svg pdf",
-    .takes = "oantzlSLP",
+    .takes = "oantzlSLP01",
     .fonts_min = 2,
     .fonts_max = 2,
     .run = run,

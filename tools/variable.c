@@ -172,7 +172,7 @@ const cli_command variable_command = {
                   "morphotype variable A.ttf B.otf -o Variable.designspace"}},
     .reads = CLI_FONT_FILES,
     .writes = "ttf woff2 designspace",
-    .takes = "otcFYGELXxASPQ",
+    .takes = "otcFYGELXxASPQ01",
     .fonts_min = 2,
     .fonts_max = MT_VARIABLE_FONTS_MAX,
     .run = run,

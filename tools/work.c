@@ -320,6 +320,7 @@ static int make_blend(cli_work *work) {
     if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
     if (status == MT_OK) mt_blend_set_glyphs(work->blend, options->glyphs);
     if (status == MT_OK) mt_blend_set_curves(work->blend, options->curves);
+    if (status == MT_OK) mt_blend_set_cache(work->blend, work->cache);
     if (status == MT_OK) mt_blend_set_alternates(work->blend, options->alternates);
     if (status == MT_OK && options->family) status = mt_blend_set_family(work->blend, options->family);
     if (status == MT_OK) status = mt_blend_set_styles(work->blend, options->styles, options->style_count);
@@ -347,6 +348,7 @@ static int make_variable(cli_work *work) {
     if (status == MT_OK && set_hints(work) != DONE) return COULD_NOT;
     if (status == MT_OK) mt_variable_set_glyphs(work->variable, options->glyphs);
     if (status == MT_OK) mt_variable_set_curves(work->variable, options->curves);
+    if (status == MT_OK) mt_variable_set_cache(work->variable, work->cache);
     if (status == MT_OK) mt_variable_set_alternates(work->variable, options->alternates);
     if (status == MT_OK && options->family) status = mt_variable_set_family(work->variable, options->family);
     if (status == MT_OK && options->style_count)
@@ -367,10 +369,28 @@ static int make_variable(cli_work *work) {
     return DONE;
 }
 
+static int open_cache(const cli_options *options, mt_cache **cache) {
+    if (!options->cache) return DONE;
+    errno = 0;
+    mt_status status = mt_cache_open(options->cache, options->cache_bytes, cache);
+    return status == MT_OK ? DONE : fail_status(options->cache, status);
+}
+
+/* With --verbose, how much there was in the cache. */
+static void say_cache(const cli_work *work) {
+    if (!work->cache || !work->options->verbose) return;
+    mt_cache_counts counts = mt_cache_count(work->cache);
+    char lost[64] = "";
+    if (counts.lost) snprintf(lost, sizeof lost, ", of which %d could not be kept", counts.lost);
+    say("%s: %d glyph%s taken, %d made%s", work->options->cache, counts.found, counts.found == 1 ? "" : "s",
+        counts.made, lost);
+}
+
 /* Opens the fonts and chooses the characters. */
 static int open_fonts(const cli_options *options, cli_work *work) {
     *work = (cli_work){.options = options, .bar = progress_begin(options->quiet)};
-    int outcome = fonts_open(options, work->fonts);
+    int outcome = open_cache(options, &work->cache);
+    if (outcome == DONE) outcome = fonts_open(options, work->fonts);
     if (outcome == DONE) explain(work);
     int asked = options->glyphs == MT_GLYPHS_FIRST ? 1 : options->font_count;
     if (outcome == DONE) outcome = pairs_file_read(options, work->fonts, &work->pairs);
@@ -421,6 +441,8 @@ void work_end(cli_work *work) {
     progress_erase(&work->bar);
     mt_blend_free(work->blend);
     mt_variable_free(work->variable);
+    say_cache(work);
+    mt_cache_close(work->cache);
     for (int i = 0; i < work->options->font_count; i++) mt_font_close(work->fonts[i]);
     characters_free(&work->chosen);
     mt_given_pairs_free(&work->pairs);

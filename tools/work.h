@@ -13,6 +13,7 @@ typedef struct cli_work {
     mt_font *fonts[MT_VARIABLE_FONTS_MAX]; /* as many as the options have */
     mt_blend *blend;                       /* NULL for a variable font */
     mt_variable *variable;                 /* NULL for a blend */
+    mt_cache *cache;                       /* of --cache; NULL without it */
     mt_given_pairs pairs;                  /* of --pairs */
     characters chosen; /* those of --text or --chars that both fonts have; empty without either */
     choices text;      /* of --text, with its line ends */

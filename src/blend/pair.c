@@ -1,22 +1,16 @@
-/* The one place where glyphs are read for a morph and where mt_morph_prepare is called. */
+/* The one place where glyphs are read for a morph and where mt_morph_prepare is called, unless a cache has the pair. */
 #include "blend/pair.h"
 
 #include <math.h>
 
 #include "blend/slant.h"
+#include "cache/cache.h"
 #include "geometry/limits.h"
 #include "geometry/layers.h"
 #include "glyphset/match.h"
 #include "morph/prepare.h"
 
 /* ---- one side ------------------------------------------------------------------------------------------ */
-
-mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_arena *arena, mt_shape *shape,
-                         double *advance) {
-    mt_outline outline;
-    mt_status status = mt_font_outline(font, glyph, arena, &outline, advance);
-    return status == MT_OK ? mt_outline_shape(&outline, tolerance, arena, shape) : status;
-}
 
 static mt_status read_room(mt_font *font, uint32_t glyph, mt_glyph_room *room) {
     mt_status across = mt_font_advance(font, glyph, &room->advance);
@@ -56,34 +50,89 @@ void mt_pair_allow(const mt_row *row, mt_arena *arena) {
     mt_arena_bound(arena, &allowance);
 }
 
-/* As mt_pair_prepare_by, within the arena's allowance. */
-static mt_status prepare(mt_row *row, int step, uint32_t a, uint32_t b, const mt_hints *hints,
-                         mt_arena *arena, mt_glyph_pair *pair) {
-    double tolerance = row->params.tolerance;
-    bool alone = b == MT_NO_PARTNER;
-    mt_status in_b = MT_OK;
+/* Both glyphs as they are in their fonts. */
+typedef struct drawn_pair {
+    mt_outline outlines[2];
+    mt_status read[2];
+} drawn_pair;
+
+/* Reads the outlines and advances, under the row's lock; of A alone where there is no B. */
+static mt_status read_outlines(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,
+                               mt_glyph_pair *pair, drawn_pair *drawn) {
+    *drawn = (drawn_pair){.read = {MT_OK, MT_OK}};
     pthread_mutex_lock(&row->lock);
     mt_status leans = mt_row_find_leans(row);
-    mt_status in_a = mt_glyph_shape(row->fonts[step], a, tolerance, arena, &pair->a, &pair->room_a.advance);
-    if (!alone)
-        in_b = mt_glyph_shape(row->fonts[step + 1], b, tolerance, arena, &pair->b, &pair->room_b.advance);
+    drawn->read[0] = mt_font_outline(row->fonts[step], a, arena, &drawn->outlines[0], &pair->room_a.advance);
+    if (b != MT_NO_PARTNER)
+        drawn->read[1] =
+            mt_font_outline(row->fonts[step + 1], b, arena, &drawn->outlines[1], &pair->room_b.advance);
     pthread_mutex_unlock(&row->lock);
-    pair->at_fault = in_a != MT_OK ? 0 : in_b != MT_OK ? 1 : -1;
-    if (in_a != MT_OK || in_b != MT_OK || alone) return in_a != MT_OK ? in_a : in_b;
-    if (leans != MT_OK) return leans;
-    mt_params params = row->params;
-    params.lean = row->leans[step];
-    mt_status status = mt_morph_prepare(&pair->a, &pair->b, hints, &params, arena, &pair->morph);
-    if (status == MT_NO_COUNTERPART) pair->at_fault = pair->a.count > 0;
-    return status;
+    for (int i = 0; i < 2; i++) drawn->read[i] = mt_arena_verdict(arena, drawn->read[i]);
+    return leans;
+}
+
+/* A side as a shape; where it is not read, nothing. */
+static mt_status make_shape(const drawn_pair *drawn, int side, double tolerance, mt_arena *arena,
+                            mt_shape *shape) {
+    *shape = (mt_shape){0};
+    if (drawn->read[side] != MT_OK) return drawn->read[side];
+    return mt_outline_shape(&drawn->outlines[side], tolerance, arena, shape);
+}
+
+/* Both sides as shapes, and their morph. */
+static void prepare(const drawn_pair *drawn, bool alone, const mt_hints *hints, const mt_params *params,
+                    mt_arena *arena, mt_prepared *made) {
+    mt_status in_a = make_shape(drawn, 0, params->tolerance, arena, &made->a);
+    mt_status in_b = alone ? MT_OK : make_shape(drawn, 1, params->tolerance, arena, &made->b);
+    made->at_fault = in_a != MT_OK ? 0 : in_b != MT_OK ? 1 : -1;
+    made->status = in_a != MT_OK ? in_a : in_b;
+    if (made->status != MT_OK || alone) return;
+    made->status = mt_morph_prepare(&made->a, &made->b, hints, params, arena, &made->morph);
+    if (made->status == MT_NO_COUNTERPART) made->at_fault = made->a.count > 0;
+}
+
+/* The same within an allowance. */
+static void prepare_within(const mt_row *row, const drawn_pair *drawn, bool alone, const mt_hints *hints,
+                           const mt_params *params, mt_arena *arena, mt_prepared *made) {
+    *made = (mt_prepared){0};
+    mt_pair_allow(row, arena);
+    prepare(drawn, alone, hints, params, arena, made);
+    made->status = mt_row_verdict(row, mt_arena_verdict(arena, made->status));
+    mt_arena_bound(arena, NULL);
+}
+
+/* Taken from the row's cache, or prepared and kept there. */
+static mt_status prepare_or_find(mt_row *row, const drawn_pair *drawn, const mt_hints *hints,
+                                 const mt_params *params, mt_arena *arena, mt_prepared *made) {
+    mt_digest key;
+    mt_status status = mt_cache_key(drawn->outlines, hints, params, &key);
+    if (status != MT_OK || mt_cache_find(row->cache, &key, arena, made)) return status;
+    prepare_within(row, drawn, false, hints, params, arena, made);
+    mt_cache_keep(row->cache, &key, made);
+    return MT_OK;
 }
 
 mt_status mt_pair_prepare_by(mt_row *row, int step, uint32_t a, uint32_t b, const mt_hints *hints,
                              mt_arena *arena, mt_glyph_pair *pair) {
+    drawn_pair drawn;
+    mt_prepared made;
+    bool alone = b == MT_NO_PARTNER;
     mt_pair_allow(row, arena);
-    mt_status status = mt_arena_verdict(arena, prepare(row, step, a, b, hints, arena, pair));
+    mt_status status = read_outlines(row, step, a, b, arena, pair, &drawn);
     mt_arena_bound(arena, NULL);
-    return mt_row_verdict(row, status);
+    if (status != MT_OK) return mt_row_verdict(row, status);
+    mt_params params = row->params;
+    params.lean = row->leans[step];
+    if (row->cache && !alone && drawn.read[0] == MT_OK && drawn.read[1] == MT_OK)
+        status = prepare_or_find(row, &drawn, hints, &params, arena, &made);
+    else
+        prepare_within(row, &drawn, alone, hints, &params, arena, &made);
+    if (status != MT_OK) return mt_row_verdict(row, status);
+    pair->a = made.a;
+    pair->b = made.b;
+    pair->morph = made.morph;
+    pair->at_fault = made.at_fault;
+    return mt_row_verdict(row, made.status);
 }
 
 mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,

@@ -20,10 +20,6 @@ typedef struct mt_glyph_pair {
     int at_fault; /* why it could not be prepared: 0 for A's glyph, 1 for B's; -1 for neither alone */
 } mt_glyph_pair;
 
-/* Reads a glyph as a shape. As mt_font_outline and mt_outline_shape. */
-mt_status mt_glyph_shape(mt_font *font, uint32_t glyph, double tolerance, mt_arena *arena, mt_shape *shape,
-                         double *advance);
-
 /* Reads the room that both glyphs take between fonts number `step` and step + 1: 0 where it cannot be read. With
  * MT_NO_PARTNER for `b` both rooms are A's. MT_NO_MEMORY. */
 mt_status mt_pair_read_rooms(mt_row *row, int step, uint32_t a, uint32_t b, mt_glyph_pair *pair);
@@ -37,7 +33,7 @@ void mt_pair_allow(const mt_row *row, mt_arena *arena);
 
 /* Reads both glyphs' shapes and advances, and prepares their morph by their hints, in the arena; with MT_NO_PARTNER for `b`
  * it reads A's shape and advance alone. A shape that cannot be read is empty. All of it within an
- * allowance: where it is spent, the morph is the best until then (cut_short), or MT_TOO_COSTLY. MT_STOPPED; as mt_glyph_shape and mt_morph_prepare. */
+ * allowance: where it is spent, the morph is the best until then (cut_short), or MT_TOO_COSTLY. MT_STOPPED; as mt_font_outline, mt_outline_shape and mt_morph_prepare. */
 mt_status mt_pair_prepare(mt_row *row, int step, uint32_t a, uint32_t b, mt_arena *arena,
                           mt_glyph_pair *pair);
 

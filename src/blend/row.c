@@ -294,6 +294,10 @@ void mt_blend_set_glyphs(mt_blend *blend, mt_glyph_set set) {
     blend->row.set = set;
 }
 
+void mt_blend_set_cache(mt_blend *blend, mt_cache *cache) {
+    blend->row.cache = cache;
+}
+
 void mt_blend_set_curves(mt_blend *blend, mt_curves curves) {
     blend->row.curves = curves;
 }
@@ -402,6 +406,10 @@ mt_status mt_variable_set_glyph_numbers(mt_variable *variable, const uint32_t *g
 
 void mt_variable_set_glyphs(mt_variable *variable, mt_glyph_set set) {
     variable->row.set = set;
+}
+
+void mt_variable_set_cache(mt_variable *variable, mt_cache *cache) {
+    variable->row.cache = cache;
 }
 
 void mt_variable_set_curves(mt_variable *variable, mt_curves curves) {

@@ -37,6 +37,7 @@ typedef struct mt_row {
     mt_glyph_set set;
     mt_curves curves;     /* of a UFO's outlines */
     mt_given_pairs pairs; /* empty: none are given */
+    mt_cache *cache;      /* of prepared glyphs, the caller's; NULL: none */
     bool alternates;      /* of wanted characters, also those that text has to ask for */
     int unblended;        /* glyphs of the last fonts */
     mt_stop stop;         /* no more work is to be done */

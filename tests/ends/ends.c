@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "blend/pair.h"
 #include "geometry/limits.h"
 #include "support/code_points.h"
+#include "support/fonts.h"
 #include "support/sample.h"
 
 #define MEAN 0.25 /* the promise, 1/1000 em */
@@ -82,9 +82,8 @@ static void drop_strays(mt_rings *rings) {
 /* The ink of a character of a font, as rings. */
 static mt_status read_rings(mt_font *font, uint32_t c, mt_arena *arena, mt_rings *rings) {
     mt_shape shape;
-    double advance;
     if (!mt_font_glyph(font, c)) return MT_NO_GLYPH;
-    mt_status status = mt_glyph_shape(font, mt_font_glyph(font, c), FINE, arena, &shape, &advance);
+    mt_status status = mt_test_glyph_shape(font, c, FINE, arena, &shape);
     if (status == MT_OK) status = mt_shape_rings(&shape, arena, rings);
     if (status == MT_OK) drop_strays(rings);
     return status;

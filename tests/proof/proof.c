@@ -5,7 +5,6 @@
 #include <limits.h>
 #include <stdio.h>
 
-#include "blend/pair.h"
 #include "blend/slant.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
@@ -13,6 +12,7 @@
 #include "morph/check/topology.h"
 #include "morph/prepare.h"
 #include "support/code_points.h"
+#include "support/fonts.h"
 
 enum { PLACES = 99, CHARS_MAX = 100000 };
 
@@ -83,10 +83,8 @@ static mt_status look(const mt_morph *morph, const mt_params *params, uint32_t c
 static mt_status prepare(mt_font *a, mt_font *b, uint32_t c, const mt_params *params, mt_arena *arena,
                          mt_morph *morph) {
     mt_shape in_a, in_b;
-    double advance;
-    mt_status status = mt_glyph_shape(a, mt_font_glyph(a, c), params->tolerance, arena, &in_a, &advance);
-    if (status == MT_OK)
-        status = mt_glyph_shape(b, mt_font_glyph(b, c), params->tolerance, arena, &in_b, &advance);
+    mt_status status = mt_test_glyph_shape(a, c, params->tolerance, arena, &in_a);
+    if (status == MT_OK) status = mt_test_glyph_shape(b, c, params->tolerance, arena, &in_b);
     return status == MT_OK ? mt_morph_prepare(&in_a, &in_b, NULL, params, arena, morph) : status;
 }
 

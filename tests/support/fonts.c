@@ -1,5 +1,6 @@
 #include "support/fonts.h"
 
+#include "geometry/layers.h"
 #include "support/check.h"
 
 #include <stdlib.h>
@@ -30,3 +31,11 @@ const uint32_t mt_test_han[] =
     U"北原立百安林信月海死儿连反计每几记利少且应六争放听更任声带果元界指通眼色平士书令让及吃满神空目八义七"
     U"干件影式夫建内度花近何认难房位文非片早活石感始德形永字黑火土木王羊鱼鸟虫草叶黄红青蓝春夏秋冬爱龙飞雨";
 const int mt_test_han_count = sizeof mt_test_han / sizeof *mt_test_han - 1;
+
+mt_status mt_test_glyph_shape(mt_font *font, uint32_t code_point, double tolerance, mt_arena *arena,
+                              mt_shape *shape) {
+    mt_outline outline;
+    double advance;
+    mt_status status = mt_font_outline(font, mt_font_glyph(font, code_point), arena, &outline, &advance);
+    return status == MT_OK ? mt_outline_shape(&outline, tolerance, arena, shape) : status;
+}

@@ -1,6 +1,7 @@
 /* The Debian fonts that tests read: fonts-dejavu-core, fonts-wqy-zenhei, fonts-arphic-ukai. */
 #pragma once
 
+#include "geometry/ring.h"
 #include "source/font.h"
 
 #define MT_TEST_SANS "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"
@@ -16,3 +17,7 @@ extern const uint32_t mt_test_latin[];
 extern const int mt_test_latin_count;
 extern const uint32_t mt_test_han[];
 extern const int mt_test_han_count;
+
+/* The ink of a character's glyph, as a blend reads it. As mt_font_outline and mt_outline_shape. */
+mt_status mt_test_glyph_shape(mt_font *font, uint32_t code_point, double tolerance, mt_arena *arena,
+                              mt_shape *shape);
