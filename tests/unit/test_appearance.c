@@ -1,6 +1,7 @@
 #include "geometry/limits.h"
 #include "morph/check/appearance.h"
 #include "morph/check/projection.h"
+#include "morph/model/frame.h"
 #include "support/check.h"
 #include "support/polygons.h"
 
@@ -70,6 +71,7 @@ static mt_morph morph_of(const mt_ring *a, const mt_ring *b, int count) {
         }
         side->shape = side->whole;
         side->box = mt_shape_box(&side->whole);
+        side->frame = mt_frame_of_box(side->box);
     }
     return morph;
 }
@@ -106,12 +108,39 @@ static void blobs_are_clots(void **state) {
     assert_true(look(&passes).clots > 1.4);
 }
 
+/* A bar that moves and grows keeps its headings; one whose corners go with the next ones turns by a right angle, which is a half. */
+static void corners_beside_corners_turn(void **state) {
+    (void)state;
+    mt_ring a = box(0, 0, 60, 700), b = box(100, 50, 200, 650), turned = box(100, 50, 200, 650);
+    for (int i = 0; i < 4; i++) turned.points[i] = b.points[(i + 1) % 4];
+    mt_morph keeps = morph_of(&a, &b, 1), turns = morph_of(&a, &turned, 1);
+    assert_true(look(&keeps).turning < 1e-12);
+    assert_true(fabs(look(&turns).turning - 0.5) < 1e-12);
+    mt_appearance seen = MT_NOTHING_SEEN;
+    seen.turning = MT_TURNING_MOST;
+    assert_true(fabs(mt_appearance_score(&seen) - 1) < 1e-12);
+}
+
+/* Headings are compared as the frames carry them: what slants as a whole does not turn. */
+static void frames_carry_headings(void **state) {
+    (void)state;
+    mt_ring a = box(0, 0, 60, 700), b = box(0, 0, 60, 700);
+    b.points[2].x += 700 * UNIT / 4;
+    b.points[3].x += 700 * UNIT / 4;
+    mt_morph slants = morph_of(&a, &b, 1);
+    assert_true(look(&slants).turning > 0.01);
+    slants.a.frame.heading[1] = 0.25;
+    assert_true(look(&slants).turning < 1e-12);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ink_is_projected),
         cmocka_unit_test(holes_are_no_ink),
         cmocka_unit_test(what_travels_strays),
         cmocka_unit_test(blobs_are_clots),
+        cmocka_unit_test(corners_beside_corners_turn),
+        cmocka_unit_test(frames_carry_headings),
     };
     return cmocka_run_group_tests(tests, NULL, tear_down);
 }

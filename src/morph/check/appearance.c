@@ -1,4 +1,4 @@
-/* Three measures at T = .25, .5 and .75.
+/* Three measures at T = .25, .5 and .75, and one of the whole way.
  *
  * Strays: how far the ink is from where it would be if it took the shortest way from A to B, or in part faded here and grew there, as
  * it does where contrast changes. In one dimension the shortest way leads each share of the ink from its place in A straight to that in B
@@ -6,7 +6,9 @@
  * barycenter and its application to texture mixing", 2011). Held against are mixes of the way and the fading; the least root mean square
  * of what places are off by is the measure. Blobs, strokes that travel or break, and parts born in the wrong place leave that way.
  *
- * Clots: the largest disc in the ink against the largest of both ends. Ink: its area, out of the range of both ends'. */
+ * Clots: the largest disc in the ink against the largest of both ends. Ink: its area, out of the range of both ends'. Turning: of the
+ * boundary (turning.h), which tells what ink alone cannot: whether a black's corner goes with the hairline's corner or with a place beside it,
+ * the ink is nearly the same. */
 #include "morph/check/appearance.h"
 
 #include <math.h>
@@ -17,6 +19,7 @@
 #include "morph/between/instance.h"
 #include "morph/check/projection.h"
 #include "morph/check/topology.h"
+#include "morph/check/turning.h"
 
 /* What a part too many or too few at one place counts beside the score, and how many count. */
 #define PART_LOSS 0.03
@@ -31,7 +34,8 @@ enum { FADED_STEPS = 7 };
 struct mt_onlooker {
     mt_projection_frame frames[2];
     mt_projection ends[2];
-    double disc; /* the largest of both, grid units */
+    double disc;         /* the largest of both, grid units */
+    mt_frame in_a, in_b; /* in which headings are compared */
 };
 
 /* The rings of a shape, within what may be spent on looking at them. */
@@ -57,6 +61,8 @@ mt_status mt_look_at_ends(const mt_morph *morph, mt_arena *arena, mt_onlooker **
     if (!o) return MT_NO_MEMORY;
     const mt_side *sides[] = {&morph->a, &morph->b};
     double reach = 1;
+    o->in_a = morph->a.frame;
+    o->in_b = morph->b.frame;
     for (int s = 0; s < 2; s++) {
         mt_box box = sides[s]->box;
         o->frames[s].middle = ((double)box.min.x + box.max.x) / 2;
@@ -135,6 +141,7 @@ mt_status mt_look_at_morph(const mt_onlooker *o, const mt_morph *morph, const mt
                            mt_arena *arena, mt_appearance *seen) {
     static const double places[] = {0.25, 0.5, 0.75};
     *seen = MT_NOTHING_SEEN;
+    seen->turning = mt_turning(morph, &o->in_a, &o->in_b);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         mt_arena_place before = mt_arena_mark(arena);
         mt_status status = look_at_place(o, morph, places[i], params, arena, seen);
@@ -146,7 +153,8 @@ mt_status mt_look_at_morph(const mt_onlooker *o, const mt_morph *morph, const mt
 
 double mt_appearance_score(const mt_appearance *seen) {
     double clots = (seen->clots - 1) / MT_CLOTS_MOST;
-    return fmax(seen->strays / MT_STRAYS_MOST, fmax(clots, seen->ink / MT_INK_MOST));
+    double ink = fmax(seen->strays / MT_STRAYS_MOST, fmax(clots, seen->ink / MT_INK_MOST));
+    return ink + seen->turning / MT_TURNING_MOST;
 }
 
 double mt_appearance_loss(double score, int parts) {
