@@ -121,7 +121,7 @@ static int animate(const cli_options *options, const key_frames *keys) {
     mt_motion motion;
     mt_motion_fault fault;
     mt_colour colours[MT_VARIABLE_FONTS_MAX];
-    progress bar = progress_begin(options->quiet);
+    progress bar = progress_begin(options->quiet, "parts");
     mt_motion_request request = request_of(options, keys, colours);
     request.progress = progress_draw;
     request.progress_user = &bar;

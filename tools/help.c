@@ -25,7 +25,7 @@ const exit_code exit_codes[] = {
 
 const environment_row environment[] = {
     {"SOURCE_DATE_EPOCH", "seconds since 1970: the date of what is made, in place of the sources' own"},
-    {"TERM", "dumb: no progress is drawn"},
+    {"TERM", "dumb: progress is a line a minute"},
     {0},
 };
 

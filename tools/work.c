@@ -388,7 +388,7 @@ static void say_cache(const cli_work *work) {
 
 /* Opens the fonts and chooses the characters. */
 static int open_fonts(const cli_options *options, cli_work *work) {
-    *work = (cli_work){.options = options, .bar = progress_begin(options->quiet)};
+    *work = (cli_work){.options = options, .bar = progress_begin(options->quiet, "glyphs")};
     int outcome = open_cache(options, &work->cache);
     if (outcome == DONE) outcome = fonts_open(options, work->fonts);
     if (outcome == DONE) explain(work);
