@@ -3,8 +3,7 @@
  *     as the boxes lie ──▶ aligned ──▶ evidence ──▶ map ──▶ aligned with it ──▶ evidence ──▶ map ──▶ aligned with it
  *
  * The first evidence comes from an alignment with little weight on places, which the boxes alone do not tell. Evidence is a step whose
- * headings agree; it weighs what its samples do by lifted length. So is what reaches farthest to each side: a hairline and a black have little in
- * common but that. Along each axis, the place on B is fitted to 1, u, v and the normal on
+ * headings agree; it weighs what its samples do by lifted length. Along each axis, the place on B is fitted to 1, u, v and the normal on
  * A by iteratively reweighted least squares with Cauchy's weights, which let what is drawn otherwise count little (P. W. Holland and
  * R. E. Welsch, "Robust regression using iteratively reweighted least squares", 1977). The map with the cheapest alignment is the one to begin
  * with, if rings had partners, it explains enough, and all of A reaches as far as all of B with it; else the boxes are. Invariants: a map neither turns nor mirrors; swapping A and B swaps the result. Costs four alignments
@@ -24,11 +23,10 @@
 /* A map has to bring what boundaries cost as their boxes lie down to that, … */
 #define WORTH_WHILE 0.9
 #define REACH_MOST 0.2 /* … and how far a whole reaches may change by that, boxes */
-#define EXTREME 0.1    /* weight of the farthest place to a side; all other evidence together weighs 1 */
-#define PRIOR 0.002    /* weight of the map that changes nothing */
+#define PRIOR 0.002    /* weight of the map that changes nothing; all evidence together weighs 1 */
 #define NARROWEST 0.05 /* of a map's determinant: less is no drawing's */
 #define HEADS_ON 0.1   /* of what a map makes of an axis, along that axis, relative to its size */
-enum { PASSES = 2, EXTREMES = 4 };
+enum { PASSES = 2 };
 
 /* Two rings that go together. */
 typedef struct mt_ring_pair {
@@ -40,7 +38,7 @@ typedef struct mt_ring_pair {
 /* A place on A's boundary that is known to go to a place on B's: along each axis 1, u, v and the normal; and where it goes. */
 typedef struct mt_evidence {
     double from[2][4], to[2];
-    double weight[2]; /* for each axis */
+    double weight;
 } mt_evidence;
 
 /* Maps of A's places. */
@@ -58,9 +56,8 @@ typedef struct mt_registration {
     const mt_shape *a, *b;
     mt_frame box_a, box_b, carried; /* B's frame stays */
     mt_cost_weights weights;
-    double flatness;                  /* grid units, of the rings */
-    double paired;                    /* share of the length of all rings that have a partner */
-    mt_ring_samples outer_a, outer_b; /* of all outer rings */
+    double flatness; /* grid units, of the rings */
+    double paired;   /* share of the length of all rings that have a partner */
     int pair_count, count;
     mt_ring_pair *pairs;
     mt_evidence *evidence;
@@ -98,24 +95,6 @@ static mt_status weights_of(const mt_ring_samples *samples, const mt_frame *fram
     return status;
 }
 
-/* The samples of all outer rings of a shape. */
-static mt_status sample_outer(const mt_registration *r, const mt_shape *shape, mt_ring_samples *all) {
-    size_t room = 0;
-    mt_ring_samples *each = mt_arena_new(r->arena, (size_t)shape->count + 1, sizeof *each);
-    mt_status status = each ? MT_OK : MT_NO_MEMORY;
-    for (int k = 0; status == MT_OK && k < shape->count; k++) {
-        status = mt_ring_samples_at_least(&shape->components[k].rings[0], r->flatness, SAMPLES, r->arena,
-                                          &each[k]);
-        if (status == MT_OK) room += (size_t)each[k].count;
-    }
-    if (status != MT_OK) return status;
-    *all = (mt_ring_samples){.samples = mt_arena_new(r->arena, room + 1, sizeof *all->samples)};
-    if (!all->samples) return MT_NO_MEMORY;
-    for (int k = 0; k < shape->count; k++)
-        for (int i = 0; i < each[k].count; i++) all->samples[all->count++] = each[k].samples[i];
-    return MT_OK;
-}
-
 static mt_status add_pair(mt_registration *r, const mt_ring *p, const mt_ring *q) {
     mt_ring_pair *pair = &r->pairs[r->pair_count++];
     pair->share = mt_ring_length(p) + mt_ring_length(q);
@@ -146,10 +125,8 @@ static mt_status pair_all(mt_registration *r, const mt_settings *settings) {
     if (!r->pairs) return MT_NO_MEMORY;
     mt_status status = pair_rings(r, true, settings);
     if (status == MT_OK) status = pair_rings(r, false, settings);
-    if (status == MT_OK) status = sample_outer(r, r->a, &r->outer_a);
-    if (status == MT_OK) status = sample_outer(r, r->b, &r->outer_b);
     double whole = 0;
-    size_t room = EXTREMES;
+    size_t room = 1;
     for (int i = 0; i < r->pair_count; i++) {
         whole += r->pairs[i].share;
         room += (size_t)r->pairs[i].a.count + (size_t)r->pairs[i].b.count;
@@ -173,9 +150,8 @@ static void add_evidence(mt_registration *r, const mt_ring_sample *here, const m
     double normal[2];
     if (agreement(&p, &q) < AGREE) return;
     mt_normal_of(p.in_x + p.out_x + q.in_x + q.out_x, p.in_y + p.out_y + q.in_y + q.out_y, normal);
-    r->evidence[r->count++] = (mt_evidence){.from = {{1, p.x, p.y, normal[0]}, {1, p.x, p.y, normal[1]}},
-                                            .to = {q.x, q.y},
-                                            .weight = {weight, weight}};
+    r->evidence[r->count++] = (mt_evidence){
+        .from = {{1, p.x, p.y, normal[0]}, {1, p.x, p.y, normal[1]}}, .to = {q.x, q.y}, .weight = weight};
 }
 
 static mt_status look_at_pair(mt_registration *r, const mt_ring_pair *pair, double *cost) {
@@ -191,36 +167,6 @@ static mt_status look_at_pair(mt_registration *r, const mt_ring_pair *pair, doub
     }
     mt_arena_rewind(r->arena, before);
     return status;
-}
-
-/* The sample that is farthest along an axis: in its direction, or against it. */
-static const mt_ring_sample *farthest(const mt_ring_samples *samples, int axis, int direction) {
-    const mt_ring_sample *found = &samples->samples[0];
-    for (int i = 1; i < samples->count; i++) {
-        const mt_ring_sample *s = &samples->samples[i];
-        if (direction * (axis ? s->y - found->y : s->x - found->x) > 0) found = s;
-    }
-    return found;
-}
-
-/* What is farthest to a side goes as far to that side as the other drawing does, whatever goes with it. */
-static void add_extremes(mt_registration *r) {
-    for (int k = 0; k < EXTREMES; k++) {
-        int axis = k / 2, direction = k % 2 ? 1 : -1;
-        mt_sample_view p = mt_sample_view_of(farthest(&r->outer_a, axis, direction), &r->box_a),
-                       q = mt_sample_view_of(farthest(&r->outer_b, axis, direction), &r->box_b);
-        mt_evidence made = {.to = {q.x, q.y}};
-        double normal[2];
-        mt_normal_of(p.in_x + p.out_x, p.in_y + p.out_y, normal);
-        for (int i = 0; i < 2; i++) {
-            made.from[i][0] = 1;
-            made.from[i][1] = p.x;
-            made.from[i][2] = p.y;
-            made.from[i][3] = normal[i];
-        }
-        made.weight[axis] = EXTREME;
-        r->evidence[r->count++] = made;
-    }
 }
 
 /* ---- the map ------------------------------------------------------------------------------------------------------- */
@@ -262,7 +208,7 @@ static void fit_axis(const mt_registration *r, int axis, double map[4]) {
         double m[4][5] = {{0}};
         for (int k = 0; k < r->count; k++) {
             const mt_evidence *e = &r->evidence[k];
-            double off = residual(e, axis, map) / scales[round], weight = e->weight[axis] / (1 + off * off);
+            double off = residual(e, axis, map) / scales[round], weight = e->weight / (1 + off * off);
             for (int i = 0; i < 4; i++) {
                 for (int j = 0; j < 4; j++) m[i][j] += weight * e->from[axis][i] * e->from[axis][j];
                 m[i][4] += weight * e->from[axis][i] * e->to[axis];
@@ -303,23 +249,36 @@ static bool fit_map(mt_registration *r) {
 
 /* ---- extents ------------------------------------------------------------------------------------------------------- */
 
-static mt_extents extents_of(const mt_ring_samples *samples, const mt_frame *frame) {
-    mt_extents extents = {INFINITY, -INFINITY, INFINITY, -INFINITY};
-    for (int i = 0; i < samples->count; i++) {
-        mt_sample_view view = mt_sample_view_of(&samples->samples[i], frame);
-        extents.left = fmin(extents.left, view.x);
-        extents.right = fmax(extents.right, view.x);
-        extents.bottom = fmin(extents.bottom, view.y);
-        extents.top = fmax(extents.top, view.y);
+static mt_status find_extents(const mt_registration *r, const mt_shape *shape, const mt_frame *frame,
+                              mt_extents *extents) {
+    mt_arena_place before = mt_arena_mark(r->arena);
+    mt_status status = MT_OK;
+    *extents = (mt_extents){INFINITY, -INFINITY, INFINITY, -INFINITY};
+    for (int k = 0; status == MT_OK && k < shape->count; k++) {
+        mt_ring_samples samples;
+        status = mt_ring_samples_at_least(&shape->components[k].rings[0], r->flatness, SAMPLES, r->arena,
+                                          &samples);
+        for (int i = 0; status == MT_OK && i < samples.count; i++) {
+            mt_sample_view view = mt_sample_view_of(&samples.samples[i], frame);
+            extents->left = fmin(extents->left, view.x);
+            extents->right = fmax(extents->right, view.x);
+            extents->bottom = fmin(extents->bottom, view.y);
+            extents->top = fmax(extents->top, view.y);
+        }
     }
-    return extents;
+    mt_arena_rewind(r->arena, before);
+    return status;
 }
 
 /* Whether all of A, carried, reaches as far as all of B. */
-static bool reaches_alike(const mt_registration *r) {
-    mt_extents a = extents_of(&r->outer_a, &r->carried), b = extents_of(&r->outer_b, &r->box_b);
-    return fabs(a.left - b.left) <= REACH_MOST && fabs(a.right - b.right) <= REACH_MOST &&
-           fabs(a.bottom - b.bottom) <= REACH_MOST && fabs(a.top - b.top) <= REACH_MOST;
+static mt_status reaches_alike(const mt_registration *r, bool *alike) {
+    mt_extents a, b;
+    mt_status status = find_extents(r, r->a, &r->carried, &a);
+    if (status == MT_OK) status = find_extents(r, r->b, &r->box_b, &b);
+    *alike = status == MT_OK && fabs(a.left - b.left) <= REACH_MOST &&
+             fabs(a.right - b.right) <= REACH_MOST && fabs(a.bottom - b.bottom) <= REACH_MOST &&
+             fabs(a.top - b.top) <= REACH_MOST;
+    return status;
 }
 
 /* ---- the best map -------------------------------------------------------------------------------------------------- */
@@ -330,7 +289,6 @@ static mt_status look(mt_registration *r, double *cost) {
     r->count = 0;
     *cost = 0;
     for (int i = 0; status == MT_OK && i < r->pair_count; i++) status = look_at_pair(r, &r->pairs[i], cost);
-    if (status == MT_OK) add_extremes(r);
     return status;
 }
 
@@ -344,12 +302,14 @@ static mt_status fit_maps(mt_registration *r, mt_maps *maps) {
     if (status == MT_OK) status = look(r, &cost);
     r->weights = weights;
     for (int pass = 0; status == MT_OK && pass < PASSES; pass++) {
+        bool alike = false;
         if (fit_map(r)) {
             maps->last = r->carried;
             maps->found = true;
         }
         status = look(r, &cost);
-        if (status != MT_OK || cost >= least || r->paired < PAIRED_LEAST || !reaches_alike(r)) continue;
+        if (status == MT_OK && cost < least) status = reaches_alike(r, &alike);
+        if (!alike || r->paired < PAIRED_LEAST) continue;
         least = cost;
         maps->best = r->carried;
     }

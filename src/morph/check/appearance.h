@@ -31,7 +31,7 @@ mt_status mt_look_at_morph(const mt_onlooker *onlooker, const mt_morph *morph, c
 #define MT_INK_MOST 0.12    /* four times what is not seen (MT_INK_EXCESS) */
 
 /* Boundaries of related drawings turn by .005 to .03, a stroke end that is cut by .05. */
-#define MT_TURNING_MOST 0.2
+#define MT_TURNING_MOST 0.125
 
 /* All as one, the worst of what ink shows and what the boundary turns: from 1 on, an eye stumbles. */
 double mt_appearance_score(const mt_appearance *seen);
