@@ -202,7 +202,8 @@ typedef struct mt_glyph_note {
     const char *name;    /* its name there, which lasts as long as the call; NULL: none */
     int font;            /* the font that is the reason, counted from 0; -1: no single one */
     mt_status why;
-    double t; /* with mt_blend_on_held, where it stays */
+    double t, up;           /* with mt_blend_on_held, where it stays: T across, and upwards … */
+    double asked, asked_up; /* … and where it was to be */
 } mt_glyph_note;
 typedef void (*mt_glyph_noted)(const mt_glyph_note *note, void *user);
 /* The same as mt_blend_on_failure, and besides it, with all that is known of the glyph. */
@@ -211,7 +212,8 @@ MT_API void mt_blend_on_glyph_failure(mt_blend *blend, mt_glyph_noted call, void
 MT_API void mt_blend_on_unblended(mt_blend *blend, mt_glyph_noted call, void *user);
 /* Called once for each glyph whose effort was spent before all ways were tried (MT_TOO_COSTLY): it is blended by the best of those that were. */
 MT_API void mt_blend_on_cut_short(mt_blend *blend, mt_glyph_noted call, void *user);
-/* Called for each glyph that stays where its topology ends, note.t, short of a T outside 0 … 1 that was asked for (MT_TOO_LARGE). */
+/* Called for each glyph that stays where its topology ends, note.t and note.up, short of a place that was asked for: outside 0 … 1, or with
+ * another T upwards than across (MT_TOO_LARGE). */
 MT_API void mt_blend_on_held(mt_blend *blend, mt_glyph_noted call, void *user);
 MT_API void mt_blend_on_progress(mt_blend *blend, mt_progress call, void *user);
 
@@ -271,6 +273,17 @@ typedef enum mt_curves {
 MT_API void mt_blend_set_curves(mt_blend *blend, mt_curves curves);
 /* Glyphs are taken from the cache, and kept there; the blend keeps using it: close it after the blend. NULL means none. */
 MT_API void mt_blend_set_cache(mt_blend *blend, mt_cache *cache);
+/* T of heights: the font at the i-th T is there across alone (x, advances, widths), and at t[i] upwards (y, heights), so that weight
+ * and width come apart. As many as the fonts that follow, which are refused otherwise (MT_BAD_PARAMETER), as they are with a
+ * rotation; each as T. A glyph stays as near to such a place as it has the components and holes that its ends have. Copied; count 0: as
+ * across, as it is without this. MT_NO_MEMORY. */
+MT_API mt_status mt_blend_set_heights(mt_blend *blend, const double *t, int count);
+/* Places of glyphs by themselves, by their numbers in the first font, in all fonts that follow: at t[i] across and at heights[i] upwards, or with
+ * NULL at t[i] too. Outlines, advances, marks and adjustments are there; the kerning of two glyphs is at the mean of their places; an accented letter
+ * is at its own place, not at that of its letter. Copied; count 0 means none. MT_BAD_PARAMETER for a number that the font
+ * has not and for one that is there twice, MT_NO_MEMORY; fonts are refused for places that T may not have. */
+MT_API mt_status mt_blend_set_places(mt_blend *blend, const uint32_t *glyphs, const double *t,
+                                     const double *heights, int count);
 /* How many glyphs of the last fonts made are the first font's own, because the second has none for them. */
 MT_API int mt_blend_unblended(const mt_blend *blend);
 

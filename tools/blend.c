@@ -10,6 +10,12 @@
 #include <stdio.h>
 #include <string.h>
 
+static void say_made(const cli_options *options, int i, const outputs *named) {
+    char up[40] = "";
+    if (options->at_up[i] != options->at[i]) snprintf(up, sizeof up, ",y=%g", options->at_up[i]);
+    say("%s: T = %g%s, %zu bytes", named->paths[i], options->at[i], up, named->lengths[i]);
+}
+
 static int save(cli_work *work, const outputs *named) {
     const cli_options *options = work->options;
     int failed;
@@ -25,8 +31,7 @@ static int save(cli_work *work, const outputs *named) {
         return fail_status(named->paths[failed], status);
     }
     if (status != MT_OK) return work_fail(work, status);
-    for (int i = 0; options->verbose && i < named->count; i++)
-        say("%s: T = %g, %zu bytes", named->paths[i], options->at[i], named->lengths[i]);
+    for (int i = 0; options->verbose && i < named->count; i++) say_made(options, i, named);
     work_say_proved(work);
     return DONE;
 }
@@ -101,7 +106,8 @@ const cli_command blend_command = {
                   "morphotype blend A.ttf B.otf --text type --family Between -o Between.woff2"}},
     .reads = CLI_FONT_FILES,
     .writes = "ttf woff2 ufo",
-    .takes = "oatcFYGELSPQ01",
+    .takes = "oatcFYGELSPQ01@",
+    .at_up = true,
     .at_past = MT_REACH_MOST,
     .fonts_min = 2,
     .fonts_max = 2,

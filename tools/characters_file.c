@@ -43,77 +43,77 @@ static bool read_range(const char **at, uint32_t *first, uint32_t *last) {
     return is_blank(**at);
 }
 
-/* A file that is being read. */
-typedef struct file_reading {
+/* A line that is being read. */
+typedef struct line_reading {
     characters *set;
-    notation *reader;
-    const char *font, *path;
+    const characters_source *source;
     int line; /* from 1 */
-} file_reading;
+} line_reading;
 
-static int fail_line(const file_reading *file, const char *problem) {
-    return fail("%s:%d: %s", file->path, file->line, problem);
+static int fail_line(const line_reading *at, const char *problem) {
+    return fail("%s:%d: %s", at->source->path, at->line, problem);
 }
 
-static int add_range(const file_reading *file, const char **at) {
+static int add_range(const line_reading *reading, const char **at) {
     uint32_t first, last;
     if (!read_range(at, &first, &last))
-        return fail_line(file, "a code point is written U+4E00, a range U+4E00-4E2F");
-    if (last < first) return fail_line(file, "the range runs backwards");
-    if (last > 0x10ffff) return fail_line(file, "the last code point is U+10FFFF");
+        return fail_line(reading, "a code point is written U+4E00, a range U+4E00-4E2F");
+    if (last < first) return fail_line(reading, "the range runs backwards");
+    if (last > 0x10ffff) return fail_line(reading, "the last code point is U+10FFFF");
     for (uint32_t c = first; c <= last; c++) {
         bool surrogate = c >= 0xd800 && c <= 0xdfff;
-        if (!surrogate && characters_add(file->set, c) != MT_OK)
-            return fail_line(file, mt_status_text(MT_NO_MEMORY));
+        if (!surrogate && characters_add(reading->set, c) != MT_OK)
+            return fail_line(reading, mt_status_text(MT_NO_MEMORY));
     }
     return DONE;
 }
 
-static int add_choice(const file_reading *file, const char **at) {
+static int add_choice(const line_reading *reading, const char **at) {
+    const characters_source *source = reading->source;
     mt_choice choice;
     char name[NOTATION_NAME_MAX + 1];
-    mt_status status = notation_next(file->reader, at, &choice, name);
-    if (status == MT_OK) status = characters_add_choice(file->set, &choice);
+    mt_status status = notation_next(source->reader, at, &choice, name);
+    if (status == MT_OK) status = characters_add_choice(reading->set, &choice);
     if (status == MT_NO_GLYPH)
-        return fail("%s:%d: %s has no glyph /%s", file->path, file->line, file->font, name);
-    if (status == MT_BAD_PARAMETER) return fail_line(file, "not UTF-8");
-    return status == MT_OK ? DONE : fail_status(file->font, status);
+        return fail("%s:%d: %s has no glyph /%s", source->path, reading->line, source->font, name);
+    if (status == MT_BAD_PARAMETER) return fail_line(reading, "not UTF-8");
+    return status == MT_OK ? DONE : fail_status(source->font, status);
 }
 
-/* Adds what stands on one line. */
-static int add_line(const file_reading *file, const char *line) {
+int characters_add_line(characters *set, const characters_source *source, int number, const char *line) {
+    const line_reading reading = {set, source, number};
     int outcome = DONE;
     bool after_blank = true;
-    file->reader->after_word = false;
+    source->reader->after_word = false;
     for (const char *at = line; *at && outcome == DONE;) {
         if (after_blank && *at == '#') break;
         if (is_blank(*at)) {
             after_blank = true, at++;
-            file->reader->after_word = false;
+            source->reader->after_word = false;
         } else if (after_blank && starts_code_point(at)) {
-            outcome = add_range(file, &at);
+            outcome = add_range(&reading, &at);
         } else {
-            outcome = add_choice(file, &at);
-            after_blank = !file->reader->after_word;
+            outcome = add_choice(&reading, &at);
+            after_blank = !source->reader->after_word;
         }
     }
     return outcome;
 }
 
+/* ---- files -------------------------------------------------------------------------------------- */
+
 /* `text` is cut into lines in place. */
-static int add_lines(file_reading *file, char *text, size_t length) {
+static int pass_lines(const char *path, char *text, size_t length, text_line call, void *user) {
     mt_lines lines = mt_lines_of(text, length);
     int outcome = DONE;
     bool whole;
-    for (char *line; outcome == DONE && (line = mt_lines_next(&lines, &whole));) {
-        file->line = lines.number;
-        outcome = whole ? add_line(file, line) : fail_line(file, "not UTF-8 text");
-    }
+    for (char *line; outcome == DONE && (line = mt_lines_next(&lines, &whole));)
+        outcome =
+            whole ? call(line, lines.number, user) : fail("%s:%d: %s", path, lines.number, "not UTF-8 text");
     return outcome;
 }
 
-int characters_add_file(characters *set, const char *path, notation *reader, const char *font) {
-    file_reading file = {.set = set, .reader = reader, .font = font, .path = path};
+int text_file_read(const char *path, text_line call, void *user) {
     uint8_t *bytes;
     size_t length;
     errno = 0;
@@ -126,7 +126,23 @@ int characters_add_file(characters *set, const char *path, notation *reader, con
         return fail("%s: %s", path, mt_status_text(MT_NO_MEMORY));
     }
     text[length] = '\0';
-    int outcome = add_lines(&file, text, length);
+    int outcome = pass_lines(path, text, length, call, user);
     mt_free(text);
     return outcome;
+}
+
+typedef struct file_reading {
+    characters *set;
+    characters_source source;
+} file_reading;
+
+/* A text_line. */
+static int add_line(char *line, int number, void *user) {
+    const file_reading *file = user;
+    return characters_add_line(file->set, &file->source, number, line);
+}
+
+int characters_add_file(characters *set, const char *path, notation *reader, const char *font) {
+    file_reading file = {set, {reader, font, path}};
+    return text_file_read(path, add_line, &file);
 }

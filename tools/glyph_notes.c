@@ -33,7 +33,10 @@ void glyph_notes_add(const mt_glyph_note *note, void *user) {
                                                .name = name,
                                                .font = note->font,
                                                .why = note->why,
-                                               .t = note->t};
+                                               .t = note->t,
+                                               .up = note->up,
+                                               .asked = note->asked,
+                                               .asked_up = note->asked_up};
 }
 
 void glyph_notes_free(glyph_notes *notes) {
@@ -48,9 +51,14 @@ static int order_of(int64_t x, int64_t y) {
     return (x > y) - (x < y);
 }
 
+static int order_of_places(double x, double y) {
+    return (x > y) - (x < y);
+}
+
 static int compare_kinds(const glyph_note *x, const glyph_note *y) {
     int order = order_of(x->why, y->why);
-    if (!order) order = order_of(x->t > 0, y->t > 0); /* held before the one end, or past the other */
+    if (!order) order = order_of_places(x->asked, y->asked);
+    if (!order) order = order_of_places(x->asked_up, y->asked_up);
     return order ? order : order_of(x->font, y->font);
 }
 
@@ -109,6 +117,8 @@ static void list_glyphs(const glyph_note *notes, int count, bool placed, char *t
         describe(&notes[named], text + used, room - used);
         used += strlen(text + used);
         if (placed) used += (size_t)snprintf(text + used, room - used, " at %.2f", notes[named].t);
+        if (placed && notes[named].up != notes[named].t)
+            used += (size_t)snprintf(text + used, room - used, ",y=%.2f", notes[named].up);
     }
     if (named < count) snprintf(text + used, room - used, " and %d more", count - named);
 }
@@ -176,22 +186,21 @@ void glyph_notes_say_cut_short(glyph_notes *notes, const cli_options *options) {
     }
 }
 
-/* The farthest place that is asked for on that side. */
-static double asked_for(const cli_options *options, bool past_second) {
-    double t = 0.5;
-    for (int i = 0; i < options->at_count; i++)
-        if (past_second ? options->at[i] > t : options->at[i] < t) t = options->at[i];
-    return t;
+static void write_place(const glyph_note *note, char text[96]) {
+    if (note->asked == note->asked_up)
+        snprintf(text, 96, "%g", note->asked);
+    else
+        snprintf(text, 96, "%g,y=%g", note->asked, note->asked_up);
 }
 
 void glyph_notes_say_held(glyph_notes *notes, const cli_options *options) {
-    char glyphs[LINE_ROOM];
+    char glyphs[LINE_ROOM], place[96];
     sort(notes);
     for (int from = 0, end; from < notes->count; from = end) {
         end = options->verbose ? from + 1 : kind_end(notes, from);
         list_glyphs(&notes->list[from], end - from, true, glyphs, sizeof glyphs);
-        say("%d glyph%s short of T = %g, where %s drawing would come apart or close: %s", end - from,
-            end - from == 1 ? " stays" : "s stay", asked_for(options, notes->list[from].t > 0.5),
-            end - from == 1 ? "its" : "their", glyphs);
+        write_place(&notes->list[from], place);
+        say("%d glyph%s short of T = %s, where %s drawing would come apart or close: %s", end - from,
+            end - from == 1 ? " stays" : "s stay", place, end - from == 1 ? "its" : "their", glyphs);
     }
 }

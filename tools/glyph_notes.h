@@ -9,7 +9,7 @@ typedef struct glyph_note {
     char *name; /* NULL: none */
     int font;
     mt_status why;
-    double t;
+    double t, up, asked, asked_up;
 } glyph_note;
 
 typedef struct glyph_notes {
@@ -27,7 +27,7 @@ void glyph_notes_free(glyph_notes *notes);
 void glyph_notes_say_failures(glyph_notes *notes, const cli_options *options);
 /* Says which glyphs stay as they are in the first font because another one has none for them. */
 void glyph_notes_say_unblended(glyph_notes *notes, const cli_options *options);
-/* Says which glyphs stay short of a T past the ends, and where. */
+/* Says which glyphs stay short of a place that was asked for, and where. */
 void glyph_notes_say_held(glyph_notes *notes, const cli_options *options);
 /* Says which glyphs are blended by the best of what their effort did for. */
 void glyph_notes_say_cut_short(glyph_notes *notes, const cli_options *options);

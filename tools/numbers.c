@@ -35,6 +35,20 @@ int pairs_read(const char *text, double *firsts, double *seconds, int most) {
     return -1;
 }
 
+int places_read(const char *text, double *t, double *up, int most) {
+    for (int count = 0; count < most; count++) {
+        if (!read_one(&text, &t[count])) return -1;
+        up[count] = t[count];
+        if (strncmp(text, ",y=", 3) == 0) {
+            text += 3;
+            if (!read_one(&text, &up[count])) return -1;
+        }
+        if (*text == '\0') return count + 1;
+        if (*text++ != ',') return -1;
+    }
+    return -1;
+}
+
 bool number_read(const char *text, double *value) {
     return numbers_read(text, value, 1) == 1;
 }

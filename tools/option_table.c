@@ -10,8 +10,10 @@
 const option_row option_rows[] = {
     {'o', true, "output", "FILE", NULL, "the file to write; - for stdout, with --format"},
     {'Z', false, "format", "EXT", NULL, "what -o - writes: an extension that OUT may have"},
-    {'a', false, "at", "T[,T...]", NULL,
-     "places from 0 (the first) to 1 (the second); of blend, from -1 to 2"},
+    {'a', false, "at", "T[,y=T][,T...]", NULL,
+     "places from 0 (the first) to 1 (the second), heights at y; of blend, from -1 to 2"},
+    {'@', false, "places", "FILE", NULL,
+     "characters and glyphs with a place of their own: a line has them, and T or T,y=T"},
     {'n', false, "steps", "N", NULL, "N evenly spaced places, both ends among them (2 ... 1000)"},
     {'t', false, "text", "TEXT", NULL, "the text, UTF-8, with glyphs as /NAME; again for another line"},
     {'c', false, "chars", "FILE", NULL,

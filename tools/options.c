@@ -26,20 +26,33 @@ static int no_memory(void) {
     return fail("%s", mt_status_text(MT_NO_MEMORY));
 }
 
+static int refuse_at(const cli_command *command, const char *argument) {
+    return misuse(command->name, "--at %s: numbers from %g to %g are wanted%s", argument,
+                  0 - command->at_past, 1 + command->at_past,
+                  command->at_up ? ", each with or without ,y= and another one" : "");
+}
+
 static int read_at(const cli_command *command, cli_options *options, const char *argument) {
     int room = 1;
     for (const char *p = argument; *p; p++) room += *p == ',';
-    if (room > MT_STEPS_MAX) return misuse(options->command, "--at: at most %d places", MT_STEPS_MAX);
     mt_free(options->at);
+    mt_free(options->at_up);
     options->at = mt_new((size_t)room, sizeof *options->at);
-    if (!options->at) return no_memory();
-    options->at_count = numbers_read(argument, options->at, room);
+    options->at_up = mt_new((size_t)room, sizeof *options->at_up);
+    if (!options->at || !options->at_up) return no_memory();
+    options->at_count = places_read(argument, options->at, options->at_up, room);
+    options->own_heights = false;
+    if (options->at_count > MT_STEPS_MAX)
+        return misuse(options->command, "--at: at most %d places", MT_STEPS_MAX);
     bool good = options->at_count > 0;
     double least = 0 - command->at_past, most = 1 + command->at_past;
-    for (int i = 0; i < options->at_count; i++)
-        good = good && options->at[i] >= least && options->at[i] <= most;
-    if (good) return GO_ON;
-    return misuse(options->command, "--at %s: numbers from %g to %g are wanted", argument, least, most);
+    for (int i = 0; i < options->at_count; i++) {
+        double t = options->at[i], up = options->at_up[i];
+        good = good && t >= least && t <= most && up >= least && up <= most;
+        options->own_heights = options->own_heights || t != up;
+    }
+    good = good && (command->at_up || !options->own_heights);
+    return good ? GO_ON : refuse_at(command, argument);
 }
 
 /* Whether the library takes the map. */
@@ -318,6 +331,7 @@ static int read_option(const cli_command *command, cli_options *options, char le
     case 'A': return read_map(options, argument);
     case 'P': return options->pairs_file = argument, GO_ON;
     case 'H': return options->hints_file = argument, GO_ON;
+    case '@': return options->places_file = argument, GO_ON;
     case 'B': return read_fail_on(options, argument);
     case '0': return options->cache = argument, GO_ON;
     case '1': return read_cache_size(options, argument);
@@ -423,6 +437,7 @@ static int check_together(const cli_command *command, const cli_options *options
         {options->text && !command->text_with_chars, options->chars_file, {"--text", "--chars"}},
         {options->alternates, options->no_layout, {"--alternates", "--no-layout"}},
         {options->quiet, options->verbose, {"--quiet", "--verbose"}},
+        {options->own_heights, options->params.rotation != MT_ROTATION_NONE, {"--at T,y=T", "--rotate"}},
         {options->own_stops, options->map_count, {"--axis TAG", "--avar"}},
         {options->own_stops, options->style_count, {"--axis TAG", "--style"}},
     };
@@ -459,6 +474,7 @@ int options_read(const cli_command *command, int argc, char **argv, cli_options 
 
 void options_free(cli_options *options) {
     mt_free(options->at);
+    mt_free(options->at_up);
     mt_free(options->map_values);
     mt_free(options->map_places);
     mt_free(options->stops);
@@ -471,8 +487,10 @@ int options_spread(cli_options *options, int steps) {
     if (options->at_count) return DONE;
     if (options->steps) steps = options->steps;
     options->at = mt_new((size_t)steps, sizeof *options->at);
-    if (!options->at) return no_memory();
-    for (int i = 0; i < steps; i++) options->at[i] = steps == 1 ? 0.5 : (double)i / (steps - 1);
+    options->at_up = mt_new((size_t)steps, sizeof *options->at_up);
+    if (!options->at || !options->at_up) return no_memory();
+    for (int i = 0; i < steps; i++)
+        options->at[i] = options->at_up[i] = steps == 1 ? 0.5 : (double)i / (steps - 1);
     options->at_count = steps;
     return DONE;
 }

@@ -11,7 +11,8 @@ typedef struct cli_options {
     const char *fonts[MT_VARIABLE_FONTS_MAX]; /* specs; the second NULL where there is one */
     int font_count;
     const char *output, *format; /* NULL: not given */
-    double *at;                  /* T's; from mt_new */
+    double *at, *at_up;          /* T's, and T's of heights; from mt_new */
+    bool own_heights;            /* of any place they are not the same */
     int at_count;                /* 0: not given */
     double *map_values;          /* of --avar, and … */
     double *map_places;          /* … how far the font has got there; from mt_new */
@@ -21,6 +22,7 @@ typedef struct cli_options {
     const char *chars_file;      /* NULL: not given */
     const char *pairs_file;      /* NULL: not given */
     const char *hints_file;      /* NULL: not given */
+    const char *places_file;     /* NULL: not given */
     const char *family;          /* NULL: not given */
     char *style_text;            /* from mt_new; the styles are cut out of it */
     const char **styles;         /* from mt_new */
@@ -67,6 +69,7 @@ struct cli_command {
     bool text_with_chars; /* --text may stand beside --chars */
     int fonts_min, fonts_max;
     double at_past;                   /* how far past the ends --at may be */
+    bool at_up;                       /* it may be another one upwards */
     int (*run)(cli_options *options); /* an exit code */
 };
 
@@ -75,6 +78,6 @@ struct cli_command {
 int options_read(const cli_command *command, int argc, char **argv, cli_options *options);
 void options_free(cli_options *options);
 
-/* Fills in options->at: the --at list, or `steps` (--steps before it) evenly spaced from 0 to 1. DONE or
+/* Fills in options->at and at_up: the --at list, or `steps` (--steps before it) evenly spaced from 0 to 1. DONE or
  * COULD_NOT. */
 int options_spread(cli_options *options, int steps);

@@ -9,6 +9,7 @@
 #include "hints_file.h"
 #include "messages.h"
 #include "pairs_file.h"
+#include "places_file.h"
 #include "source/font.h"
 
 #include <errno.h>
@@ -324,6 +325,9 @@ static int make_blend(cli_work *work) {
     if (status == MT_OK) mt_blend_set_alternates(work->blend, options->alternates);
     if (status == MT_OK && options->family) status = mt_blend_set_family(work->blend, options->family);
     if (status == MT_OK) status = mt_blend_set_styles(work->blend, options->styles, options->style_count);
+    if (status == MT_OK && options->own_heights)
+        status = mt_blend_set_heights(work->blend, options->at_up, options->at_count);
+    if (status == MT_OK && places_file_set(options, work->fonts[0], work->blend) != DONE) return COULD_NOT;
     if (status == MT_OK) status = choose(work);
     if (status != MT_OK) return work_fail(work, status);
     mt_blend_on_glyph_failure(work->blend, glyph_notes_add, &work->failures);

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import logging
 import os
-from typing import Any, Callable, Iterable, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, Mapping, Optional, Sequence, Union
 
 from ._fonts import Font, GlyphId, Source, open_font
 from ._library import Error, Glyph, Params, Status, check, in_turn, take_bytes, text_of
@@ -204,6 +204,17 @@ class Blend(_Row):
         """The styles' names of the fonts at several places, in their order; None: made of the places."""
         kept = [ffi.new("char[]", name.encode()) for name in names or ()]
         check(lib.mt_blend_set_styles(self._row, kept, len(kept)), "styles")
+
+    def set_heights(self, at: Optional[Sequence[float]]) -> None:
+        """Where the fonts at several places are upwards (y, heights), in their order; None: as across."""
+        places = list(at or ())
+        check(lib.mt_blend_set_heights(self._row, places, len(places)), "heights")
+
+    def set_places(self, places: Optional[Mapping[GlyphId, float]]) -> None:
+        """Characters, or names or numbers of glyphs, with places of their own; None: all are where the font is."""
+        kept = dict(places or {})
+        numbers = [self._fonts[0].glyph_number(glyph) for glyph in kept]
+        check(lib.mt_blend_set_places(self._row, numbers, list(kept.values()), ffi.NULL, len(kept)), "places")
 
     def font(self, at: float = 0.5, progress: Optional[Progress] = None) -> bytes:
         """The TrueType font at `at`: 0 is the first font, 1 the second."""

@@ -49,6 +49,19 @@ class SameBytes(Folder):
         self.assertEqual(morphotype.blend(SANS, SERIF, chars=CHARS, hints=hints.read_text()), expected)
         self.assertNotEqual(morphotype.blend(SANS, SERIF, chars=CHARS), expected)
 
+    def test_heights_and_places(self):
+        (self.folder / 'places.txt').write_text(f'{CHARS[0]} 0.8\n')
+        expected = self.written('blend', SANS, SERIF, '--at', '0.3,y=0.6', '--places', self.folder / 'places.txt', '--text', CHARS)
+        blend = morphotype.Blend(SANS, SERIF)
+        blend.set_chars(CHARS)
+        blend.set_heights([0.6])
+        blend.set_places({CHARS[0]: 0.8})
+        self.assertEqual(blend.font(0.3), expected)
+        blend.set_heights(None)
+        self.assertNotEqual(blend.font(0.3), expected)
+        with self.assertRaises(morphotype.Error):
+            blend.set_places({10 ** 6: 0.5})
+
     def test_a_whole_font_with_names(self):
         expected = self.written('blend', SANS, SERIF, '--family', 'Between', '--style', 'Bold')
         self.assertEqual(morphotype.blend(SANS, SERIF, family='Between', style='Bold'), expected)

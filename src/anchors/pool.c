@@ -25,12 +25,14 @@ static int by_place(const void *p, const void *q) {
     return 0;
 }
 
-static void mix(const mt_places *places, mt_anchor anchor, int32_t *coordinates) {
+static void mix(const mt_places *places, int glyph, mt_anchor anchor, int32_t *coordinates) {
+    const mt_anchor_point *in = anchor.in_fonts;
     for (int i = 0; i < places->count; i++) {
-        mt_between between = mt_between_at(places, i);
-        mt_anchor_point first = anchor.in_fonts[between.first], second = anchor.in_fonts[between.first + 1];
-        coordinates[2 * i] = mt_value_rounded(mt_between_mix(between, first.x, second.x));
-        coordinates[2 * i + 1] = mt_value_rounded(mt_between_mix(between, first.y, second.y));
+        mt_between across = mt_between_at_glyph(places, i, glyph, MT_ACROSS),
+                   up = mt_between_at_glyph(places, i, glyph, MT_UP);
+        coordinates[2 * i] =
+            mt_value_rounded(mt_between_mix(across, in[across.first].x, in[across.first + 1].x));
+        coordinates[2 * i + 1] = mt_value_rounded(mt_between_mix(up, in[up.first].y, in[up.first + 1].y));
     }
 }
 
@@ -43,11 +45,11 @@ mt_status mt_anchor_pool_open(const mt_places *places, int room, mt_arena *arena
     return MT_OK;
 }
 
-mt_status mt_anchor_pool_add(mt_anchor_pool *pool, mt_anchor anchor) {
+mt_status mt_anchor_pool_add(mt_anchor_pool *pool, int glyph, mt_anchor anchor) {
     int count = 2 * pool->places->count;
     int32_t *coordinates = mt_arena_new(pool->arena, (size_t)count, sizeof *coordinates);
     if (!coordinates) return MT_NO_MEMORY;
-    mix(pool->places, anchor, coordinates);
+    mix(pool->places, glyph, anchor, coordinates);
     pool->values[pool->count++] = (mt_anchor_value){count, coordinates};
     return MT_OK;
 }
@@ -67,10 +69,10 @@ static int place_of(const mt_anchor_pool *pool, int i) {
     return STILL_SIZE * still + VARYING_SIZE * (i - still);
 }
 
-int mt_anchor_pool_find(const mt_anchor_pool *pool, mt_anchor anchor) {
+int mt_anchor_pool_find(const mt_anchor_pool *pool, int glyph, mt_anchor anchor) {
     int32_t coordinates[2 * MT_STOPS_MAX];
     mt_anchor_value value = {2 * pool->places->count, coordinates};
-    mix(pool->places, anchor, coordinates);
+    mix(pool->places, glyph, anchor, coordinates);
     const mt_anchor_value *found = bsearch(&value, pool->values, (size_t)pool->count, sizeof value, by_place);
     return place_of(pool, (int)(found - pool->values));
 }

@@ -23,12 +23,12 @@ int mt_anchor_size_most(const mt_places *places);
 
 /* An empty pool with room for that many. MT_NO_MEMORY. */
 mt_status mt_anchor_pool_open(const mt_places *places, int room, mt_arena *arena, mt_anchor_pool *pool);
-mt_status mt_anchor_pool_add(mt_anchor_pool *pool, mt_anchor anchor); /* MT_NO_MEMORY */
+mt_status mt_anchor_pool_add(mt_anchor_pool *pool, int glyph, mt_anchor anchor); /* MT_NO_MEMORY */
 /* Sorts the values, when all are added. */
 void mt_anchor_pool_close(mt_anchor_pool *pool);
 
-/* Where an anchor that was added lies, in bytes from the start of the pool; and how many bytes all anchors take. */
-int mt_anchor_pool_find(const mt_anchor_pool *pool, mt_anchor anchor);
+/* Where a glyph's anchor that was added lies, in bytes from the start of the pool; and how many bytes all anchors take. */
+int mt_anchor_pool_find(const mt_anchor_pool *pool, int glyph, mt_anchor anchor);
 int mt_anchor_pool_size(const mt_anchor_pool *pool);
 /* MT_NO_MEMORY, MT_TOO_LARGE. */
 mt_status mt_anchor_pool_write(const mt_anchor_pool *pool, mt_table *table);

@@ -24,7 +24,7 @@ static mt_status add_glyph(mt_joined *joined, const mt_cursive_glyph *glyph, boo
     made->has[0] = glyph->has[0] && entry;
     made->has[1] = glyph->has[1] && exit;
     for (int side = 0; side < 2 && status == MT_OK; side++)
-        if (made->has[side]) status = mt_anchor_pool_add(&joined->pool, made->at[side]);
+        if (made->has[side]) status = mt_anchor_pool_add(&joined->pool, made->glyph, made->at[side]);
     joined->count += made->has[0] || made->has[1];
     return status;
 }
@@ -64,8 +64,9 @@ static mt_status write_joined(const mt_joined *joined, mt_arena *arena, mt_subta
     for (int i = 0; i < joined->count; i++) {
         const mt_cursive_glyph *glyph = &joined->glyphs[i];
         for (int side = 0; side < 2; side++)
-            mt_table_16(&table,
-                        glyph->has[side] ? to_pool + mt_anchor_pool_find(&joined->pool, glyph->at[side]) : 0);
+            mt_table_16(&table, glyph->has[side] ? to_pool + mt_anchor_pool_find(&joined->pool, glyph->glyph,
+                                                                                 glyph->at[side])
+                                                 : 0);
     }
     mt_table_bytes(&table, pool.bytes, pool.length);
     table.failed |= pool.failed;

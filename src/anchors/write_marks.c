@@ -35,7 +35,8 @@ static mt_status write_coverage(const mt_anchored *anchored, int count, mt_arena
 static mt_status pool_of(const mt_anchored *anchored, int count, const mt_places *places, mt_arena *arena,
                          mt_anchor_pool *pool) {
     mt_status status = mt_anchor_pool_open(places, count, arena, pool);
-    for (int i = 0; i < count && status == MT_OK; i++) status = mt_anchor_pool_add(pool, anchored[i].at);
+    for (int i = 0; i < count && status == MT_OK; i++)
+        status = mt_anchor_pool_add(pool, anchored[i].glyph, anchored[i].at);
     if (status == MT_OK) mt_anchor_pool_close(pool);
     return status;
 }
@@ -47,7 +48,8 @@ static mt_status write_marks(const mt_mark_part *part, mt_arena *arena, mt_table
     mt_table_16(table, part->mark_count);
     for (int i = 0; i < part->mark_count; i++) {
         mt_table_16(table, 0);
-        mt_table_16(table, 2 + 4 * part->mark_count + mt_anchor_pool_find(&pool, part->marks[i].at));
+        mt_table_16(table, 2 + 4 * part->mark_count +
+                               mt_anchor_pool_find(&pool, part->marks[i].glyph, part->marks[i].at));
     }
     return mt_anchor_pool_write(&pool, table);
 }
@@ -58,7 +60,7 @@ static void write_ligature(const mt_anchored *bases, int count, int to_pool, con
     mt_table_16(table, bases->component_count);
     for (int c = 0, i = 0; c < bases->component_count; c++) {
         bool has = i < count && bases[i].component == c;
-        mt_table_16(table, has ? to_pool + mt_anchor_pool_find(pool, bases[i].at) : 0);
+        mt_table_16(table, has ? to_pool + mt_anchor_pool_find(pool, bases[i].glyph, bases[i].at) : 0);
         i += has;
     }
 }
@@ -91,7 +93,8 @@ static mt_status write_bases(const mt_mark_part *part, mt_arena *arena, mt_table
         write_ligatures(part, &pool, table);
     else
         for (int i = 0; i < part->base_count; i++)
-            mt_table_16(table, 2 + 2 * part->base_count + mt_anchor_pool_find(&pool, part->bases[i].at));
+            mt_table_16(table, 2 + 2 * part->base_count +
+                                   mt_anchor_pool_find(&pool, part->bases[i].glyph, part->bases[i].at));
     return mt_anchor_pool_write(&pool, table);
 }
 

@@ -144,13 +144,12 @@ static bool has_metrics_of(const mt_glyf *glyph, const mt_glyf_reference *refere
 /* False for an offset that is too large. Of several parts that give the metrics the first is marked. */
 static bool place(const mt_composite *composite, const mt_assembly *font, const mt_glyf *glyph,
                   mt_glyf_reference *references) {
-    const mt_between between = {0, font->t};
     bool given = false;
     for (int i = 0; i < composite->count; i++) {
         const mt_row_reference *moving = &composite->references[i];
         mt_glyf_reference *made = &references[i];
         made->glyph = moving->glyph;
-        if (!mt_reference_at(font->row, moving, between, font->units, &made->dx, &made->dy)) return false;
+        if (!mt_reference_at(font->row, moving, 0, font->at, font->units, &made->dx, &made->dy)) return false;
         made->same_metrics = !given && has_metrics_of(glyph, made, &font->glyphs[made->glyph]);
         given = given || made->same_metrics;
     }

@@ -7,10 +7,10 @@
 /* Whether any two of the boxes around parts meet: where none do, no parts touch. An empty box meets nothing. */
 bool mt_boxes_meet(const mt_bounds *boxes, int count);
 
-/* The font at one T between the first two fonts, as far as it is made. */
+/* The font at one place between the first two fonts, as far as it is made. */
 typedef struct mt_assembly {
     const mt_row *row;
-    double t;
+    mt_at at;
     int units;
     const mt_glyf *glyphs;
     const mt_extent *extents;

@@ -21,19 +21,31 @@ static mt_status prepare(mt_row *row, const mt_choice *choice, mt_arena *arena, 
                                       : mt_pair_prepare(row, 0, glyphs->a, glyphs->b, arena, pair);
 }
 
+/* Where heights have a T of their own, as near to that place as the pair goes. */
+static mt_status draw_pair(const mt_row *row, const mt_glyph_pair *pair, double t, mt_arena *arena,
+                           mt_outline *outline, double *advance) {
+    const mt_reach ends = {0, 1};
+    mt_at asked = {t, row->height_count ? row->heights[0] : t}, at;
+    mt_status status = mt_pair_stand(pair, ends, asked, &row->params, arena, &at);
+    if (status == MT_OK)
+        status = mt_morph_outline(&pair->morph, mt_weights_of(at), &row->params, arena, outline);
+    if (status == MT_OK) *advance = mt_room_between(&pair->room_a, &pair->room_b, at).advance;
+    return status;
+}
+
 static mt_status draw_choice(mt_row *row, const mt_choice *choice, double t, const mt_draw *draw, void *user,
                              double *advance) {
-    if (!(t >= 0 && t <= 1)) return MT_BAD_PARAMETER;
+    if (!(t >= 0 && t <= 1) || !mt_row_takes_heights(row, 1)) return MT_BAD_PARAMETER;
     mt_arena arena = {0};
     mt_glyph_pair pair;
     mt_outline outline;
+    double width;
     mt_status status = prepare(row, choice, &arena, &pair);
-    if (status == MT_OK)
-        status = mt_morph_outline(&pair.morph, mt_weights_at(t), &row->params, &arena, &outline);
+    if (status == MT_OK) status = draw_pair(row, &pair, t, &arena, &outline, &width);
     if (status == MT_OK) {
         double scale = (double)mt_row_units(row) / MT_EM;
         mt_outline_draw(&outline, scale, draw, user);
-        *advance = mt_room_between(&pair.room_a, &pair.room_b, t).advance * scale;
+        *advance = width * scale;
     }
     mt_arena_release(&arena);
     return status;

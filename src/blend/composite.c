@@ -210,10 +210,11 @@ static bool to_units(double value, int16_t *rounded) {
     return true;
 }
 
-bool mt_reference_at(const mt_row *row, const mt_row_reference *reference, mt_between between, int units,
+bool mt_reference_at(const mt_row *row, const mt_row_reference *reference, int first, mt_at at, int units,
                      int16_t *dx, int16_t *dy) {
-    const int *a = reference->at[between.first], *b = reference->at[between.first + 1];
-    double unit_a = (1 - between.t) * units / mt_font_units_per_em(row->fonts[between.first]);
-    double unit_b = between.t * units / mt_font_units_per_em(row->fonts[between.first + 1]);
-    return to_units(unit_a * a[0] + unit_b * b[0], dx) && to_units(unit_a * a[1] + unit_b * b[1], dy);
+    const int *a = reference->at[first], *b = reference->at[first + 1];
+    double unit_a = (double)units / mt_font_units_per_em(row->fonts[first]);
+    double unit_b = (double)units / mt_font_units_per_em(row->fonts[first + 1]);
+    return to_units((1 - at.x) * unit_a * a[0] + at.x * unit_b * b[0], dx) &&
+           to_units((1 - at.y) * unit_a * a[1] + at.y * unit_b * b[1], dy);
 }

@@ -25,6 +25,6 @@ typedef struct mt_composite {
 mt_status mt_composites_find(const mt_row *row, const mt_font_glyphs *glyphs, mt_arena *arena,
                              mt_composite **composites);
 
-/* Where a reference is at a place between two fonts, whole units of the new font; false where a font cannot say so. */
-bool mt_reference_at(const mt_row *row, const mt_row_reference *reference, mt_between between, int units,
+/* Where a reference is between font number `first` and the next, whole units of the new font; false where a font cannot say so. */
+bool mt_reference_at(const mt_row *row, const mt_row_reference *reference, int first, mt_at at, int units,
                      int16_t *dx, int16_t *dy);

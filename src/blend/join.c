@@ -142,7 +142,9 @@ static mt_status join_references(mt_track_joiner *joiner) {
         for (int place = 0; place < joiner->place_count; place++) {
             mt_font_point *at = &joiner->at[place][i];
             mt_between between = mt_outlines_between(joiner->outlines, joiner->places[place]);
-            if (!mt_reference_at(making->row, r, between, making->units, &at->x, &at->y)) return MT_TOO_LARGE;
+            if (!mt_reference_at(making->row, r, between.first, mt_at_both(between.t), making->units, &at->x,
+                                 &at->y))
+                return MT_TOO_LARGE;
         }
         mt_font_point own = joiner->at[joiner->home][i];
         references[i] = (mt_glyf_reference){r->glyph, own.x, own.y, false};
@@ -161,8 +163,8 @@ static mt_status place_phantoms(mt_track_joiner *joiner, int place, mt_font_poin
     mt_between between = mt_outlines_between(joiner->outlines, at_place);
     const mt_glyph_track *track = track_of(joiner, between.first);
     mt_glyf at = {0}, *own = &joiner->glyf;
-    mt_status status =
-        mt_glyf_take_room(mt_room_between(&track->room_a, &track->room_b, between.t), making->units, &at);
+    mt_status status = mt_glyf_take_room(
+        mt_room_between(&track->room_a, &track->room_b, mt_at_both(between.t)), making->units, &at);
     if (status != MT_OK) return status;
     if (at.advance > INT16_MAX || at.origin - at.height < INT16_MIN) return MT_TOO_LARGE;
     phantoms[1].x = (int16_t)at.advance;

@@ -32,9 +32,9 @@ void mt_task_report(const mt_glyph_task *task, mt_status why) {
     mt_making_report(task->making, task->glyph, font, why);
 }
 
-void mt_task_report_held(const mt_glyph_task *task, double t) {
+void mt_task_report_held(const mt_glyph_task *task, mt_at at, mt_at asked) {
     mt_glyph_note note = note_of(task->making, task->glyph, -1, MT_TOO_LARGE);
-    note.t = t;
+    note.t = at.x, note.up = at.y, note.asked = asked.x, note.asked_up = asked.y;
     if (task->glyph != 0) mt_row_report_held(task->making->row, &note);
 }
 

@@ -75,8 +75,8 @@ void mt_making_end(mt_making *making);
 void mt_making_report(mt_making *making, int glyph, int font, mt_status why);
 /* The same of a task, whose pair knows the font. */
 void mt_task_report(const mt_glyph_task *task, mt_status why);
-/* Tells the caller that a task's glyph stays at t. */
-void mt_task_report_held(const mt_glyph_task *task, double t);
+/* Tells the caller that a task's glyph stays at a place, short of another one. */
+void mt_task_report_held(const mt_glyph_task *task, mt_at at, mt_at asked);
 
 /* Called with each font once all glyphs are made: an instance's number, a master's place on the axis (axis.h), 0 for a
  * variable font. A status other than MT_OK ends the making. */

@@ -117,7 +117,7 @@ static mt_status make_master(const mt_making *making, mt_between between, const 
     *master = *font;
     master->variation = NULL;
     master->extra_count = 0;
-    mt_metadata_fill(fonts[0], fonts[1], between.t, master);
+    mt_metadata_fill(fonts[0], fonts[1], mt_at_both(between.t), master);
     mt_status status = name_place(font->variation, place, arena, master);
     if (status == MT_OK) status = glyphs_at(font, place, arena, &master->glyphs);
     if (status == MT_OK) status = kern(making->positions, between, arena, master);

@@ -42,31 +42,32 @@ static void settle_lines(mt_metrics *a, mt_metrics *b, double t) {
     other->use_typo_metrics = true;
 }
 
-static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale s, double t) {
+static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale s, mt_scale up, mt_at at) {
+    double t = at.x;
     mt_scale plain = {1 - t, t}; /* for what is not measured in font units */
     mt_metrics mix = {
-        .hhea_ascender = mixed(s, a->hhea_ascender, b->hhea_ascender),
-        .hhea_descender = mixed(s, a->hhea_descender, b->hhea_descender),
-        .hhea_line_gap = mixed(s, a->hhea_line_gap, b->hhea_line_gap),
-        .typo_ascender = mixed(s, a->typo_ascender, b->typo_ascender),
-        .typo_descender = mixed(s, a->typo_descender, b->typo_descender),
-        .typo_line_gap = mixed(s, a->typo_line_gap, b->typo_line_gap),
-        .win_ascent = mixed(s, a->win_ascent, b->win_ascent),
-        .win_descent = mixed(s, a->win_descent, b->win_descent),
-        .x_height = mixed(s, a->x_height, b->x_height),
-        .cap_height = mixed(s, a->cap_height, b->cap_height),
-        .underline_position = mixed(s, a->underline_position, b->underline_position),
-        .underline_thickness = mixed(s, a->underline_thickness, b->underline_thickness),
-        .strikeout_position = mixed(s, a->strikeout_position, b->strikeout_position),
-        .strikeout_size = mixed(s, a->strikeout_size, b->strikeout_size),
+        .hhea_ascender = mixed(up, a->hhea_ascender, b->hhea_ascender),
+        .hhea_descender = mixed(up, a->hhea_descender, b->hhea_descender),
+        .hhea_line_gap = mixed(up, a->hhea_line_gap, b->hhea_line_gap),
+        .typo_ascender = mixed(up, a->typo_ascender, b->typo_ascender),
+        .typo_descender = mixed(up, a->typo_descender, b->typo_descender),
+        .typo_line_gap = mixed(up, a->typo_line_gap, b->typo_line_gap),
+        .win_ascent = mixed(up, a->win_ascent, b->win_ascent),
+        .win_descent = mixed(up, a->win_descent, b->win_descent),
+        .x_height = mixed(up, a->x_height, b->x_height),
+        .cap_height = mixed(up, a->cap_height, b->cap_height),
+        .underline_position = mixed(up, a->underline_position, b->underline_position),
+        .underline_thickness = mixed(up, a->underline_thickness, b->underline_thickness),
+        .strikeout_position = mixed(up, a->strikeout_position, b->strikeout_position),
+        .strikeout_size = mixed(up, a->strikeout_size, b->strikeout_size),
         .subscript_size = {mixed(s, a->subscript_size[0], b->subscript_size[0]),
-                           mixed(s, a->subscript_size[1], b->subscript_size[1])},
+                           mixed(up, a->subscript_size[1], b->subscript_size[1])},
         .subscript_offset = {mixed(s, a->subscript_offset[0], b->subscript_offset[0]),
-                             mixed(s, a->subscript_offset[1], b->subscript_offset[1])},
+                             mixed(up, a->subscript_offset[1], b->subscript_offset[1])},
         .superscript_size = {mixed(s, a->superscript_size[0], b->superscript_size[0]),
-                             mixed(s, a->superscript_size[1], b->superscript_size[1])},
+                             mixed(up, a->superscript_size[1], b->superscript_size[1])},
         .superscript_offset = {mixed(s, a->superscript_offset[0], b->superscript_offset[0]),
-                               mixed(s, a->superscript_offset[1], b->superscript_offset[1])},
+                               mixed(up, a->superscript_offset[1], b->superscript_offset[1])},
         .italic_angle = mixed(plain, a->italic_angle, b->italic_angle),
         .weight_class = within(mixed(plain, a->weight_class, b->weight_class), 1, 1000),
         .width_class = within(mixed(plain, a->width_class, b->width_class), 1, 9),
@@ -76,7 +77,7 @@ static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale
         .vhea_line_gap = mixed(s, a->vhea_line_gap, b->vhea_line_gap),
         .family_class = a->family_class == b->family_class ? a->family_class : 0,
         .monospaced = (a->monospaced || t >= 1) && (b->monospaced || t <= 0),
-        .use_typo_metrics = t < 1 ? a->use_typo_metrics : b->use_typo_metrics,
+        .use_typo_metrics = at.y < 1 ? a->use_typo_metrics : b->use_typo_metrics,
         .vertical = a->vertical || b->vertical,
     };
     mt_panose_mix(a->panose, b->panose, t, mix.panose);
@@ -132,14 +133,17 @@ static uint16_t stricter(uint16_t a, uint16_t b) {
     return further;
 }
 
-void mt_metadata_fill(const mt_font *a, const mt_font *b, double t, mt_font_data *data) {
+static mt_scale scale_of(const mt_font *a, const mt_font *b, double t, int units) {
+    return (mt_scale){(1 - t) * units / mt_font_units_per_em(a), t * units / mt_font_units_per_em(b)};
+}
+
+void mt_metadata_fill(const mt_font *a, const mt_font *b, mt_at at, mt_font_data *data) {
     mt_metrics in_a, in_b;
     mt_font_metrics(a, &in_a);
     mt_font_metrics(b, &in_b);
-    mt_scale scale = {(1 - t) * data->units / mt_font_units_per_em(a),
-                      t * data->units / mt_font_units_per_em(b)};
-    settle_lines(&in_a, &in_b, t);
-    data->metrics = mix_metrics(&in_a, &in_b, scale, t);
+    settle_lines(&in_a, &in_b, at.y);
+    data->metrics =
+        mix_metrics(&in_a, &in_b, scale_of(a, b, at.x, data->units), scale_of(a, b, at.y, data->units), at);
     lean_caret(data->units, &data->metrics);
     data->created = data->modified = date_of(a, b);
     data->is_symbol = mt_font_is_symbol(a);

@@ -141,12 +141,18 @@ static mt_status make_family(mt_namer *namer, const mt_source *sources, int coun
 
 /* ---- the names ----------------------------------------------------------------------------------------- */
 
-static void describe(mt_namer *namer, const mt_source *a, const mt_source *b, double t, mt_font_data *data) {
-    data->style = formed(namer, "At %g", t);
-    data->unique_id = formed(namer, "Morphotype %s: %s %s, %s %s, %g", MORPHOTYPE_VERSION, a->title,
+/* As --at has it. */
+static const char *place_text(mt_namer *namer, mt_at at) {
+    return at.x == at.y ? formed(namer, "%g", at.x) : formed(namer, "%g,y=%g", at.x, at.y);
+}
+
+static void describe(mt_namer *namer, const mt_source *a, const mt_source *b, mt_at at, mt_font_data *data) {
+    const char *t = place_text(namer, at);
+    data->style = formed(namer, "At %s", t);
+    data->unique_id = formed(namer, "Morphotype %s: %s %s, %s %s, %s", MORPHOTYPE_VERSION, a->title,
                              a->version, b->title, b->version, t);
     data->description =
-        formed(namer, "Between %s%s%s (T = 0) and %s%s%s (T = 1), at T = %g, by Morphotype %s", a->title,
+        formed(namer, "Between %s%s%s (T = 0) and %s%s%s (T = 1), at T = %s, by Morphotype %s", a->title,
                *a->version ? ", version " : "", a->version, b->title, *b->version ? ", version " : "",
                b->version, t, MORPHOTYPE_VERSION);
 }
@@ -187,13 +193,13 @@ static mt_status name_family(mt_namer *namer, const mt_source *sources, int coun
     return status;
 }
 
-mt_status mt_metadata_names(const mt_font *a, const mt_font *b, double t, const char *family, mt_arena *arena,
+mt_status mt_metadata_names(const mt_font *a, const mt_font *b, mt_at at, const char *family, mt_arena *arena,
                             mt_font_data *data) {
     mt_namer namer = {.arena = arena};
     const mt_source sources[] = {read_source(&namer, a), read_source(&namer, b)};
     mt_status status = name_family(&namer, sources, 2, family, data);
     if (status != MT_OK) return status;
-    describe(&namer, &sources[0], &sources[1], t, data);
+    describe(&namer, &sources[0], &sources[1], at, data);
     return namer.failed ? MT_NO_MEMORY : MT_OK;
 }
 

@@ -161,3 +161,22 @@ mt_status mt_pair_reach(const mt_glyph_pair *pair, mt_reach wanted, const mt_par
     if (a < b) reach->from = fmax(reach->from, fmin(0, a / (a - b)));
     return MT_OK;
 }
+
+/* ---- aside --------------------------------------------------------------------------------------------- */
+
+/* On the way from `from` to `to`, the last place with an advance that is not less than none. */
+static mt_at with_room(const mt_glyph_pair *pair, mt_at from, mt_at to) {
+    double near = mt_room_between(&pair->room_a, &pair->room_b, from).advance,
+           far = mt_room_between(&pair->room_a, &pair->room_b, to).advance;
+    return far >= 0 ? to : mt_at_between(from, to, near > 0 ? near / (near - far) : 0);
+}
+
+mt_status mt_pair_stand(const mt_glyph_pair *pair, mt_reach reach, mt_at asked, const mt_params *params,
+                        mt_arena *arena, mt_at *stands) {
+    double from = fmin(fmax((asked.x + asked.y) / 2, reach.from), reach.to);
+    mt_at found = mt_at_both(from);
+    mt_status status = MT_OK;
+    if (asked.x != asked.y) status = mt_morph_aside(&pair->morph, from, asked, params, arena, &found);
+    if (status == MT_OK) *stands = with_room(pair, mt_at_both(from), found);
+    return status;
+}

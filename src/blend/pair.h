@@ -49,9 +49,14 @@ mt_status mt_pair_prepare_char(mt_row *row, uint32_t code_point, mt_arena *arena
 mt_status mt_pair_reach(const mt_glyph_pair *pair, mt_reach wanted, const mt_params *params, mt_arena *arena,
                         mt_reach *reach);
 
-/* The room at a place between two glyphs. */
-static inline mt_glyph_room mt_room_between(const mt_glyph_room *a, const mt_glyph_room *b, double t) {
-    return (mt_glyph_room){(1 - t) * a->advance + t * b->advance,
-                           {(1 - t) * a->vertical.advance + t * b->vertical.advance,
-                            (1 - t) * a->vertical.origin + t * b->vertical.origin}};
+/* Where the pair stands for a place that is asked for: there, or as near as it goes: along `reach`, which is that of the pair, and from there
+ * aside (check/reach.h), as far as its room is not less than none. As mt_morph_aside. */
+mt_status mt_pair_stand(const mt_glyph_pair *pair, mt_reach reach, mt_at asked, const mt_params *params,
+                        mt_arena *arena, mt_at *stands);
+
+/* The room at a place between two glyphs: advances of lines across, and those of vertical ones. */
+static inline mt_glyph_room mt_room_between(const mt_glyph_room *a, const mt_glyph_room *b, mt_at at) {
+    return (mt_glyph_room){(1 - at.x) * a->advance + at.x * b->advance,
+                           {(1 - at.y) * a->vertical.advance + at.y * b->vertical.advance,
+                            (1 - at.y) * a->vertical.origin + at.y * b->vertical.origin}};
 }

@@ -53,6 +53,8 @@ void mt_row_close(mt_row *row) {
     mt_free(row->wanted);
     mt_free(row->wanted_glyphs);
     mt_given_pairs_free(&row->pairs);
+    mt_given_places_free(&row->places);
+    mt_free(row->heights);
     pthread_mutex_destroy(&row->lock);
 }
 
@@ -144,6 +146,11 @@ int mt_row_units(const mt_row *row) {
         if (needed > units) units = needed;
     }
     return units;
+}
+
+bool mt_row_takes_heights(const mt_row *row, int count) {
+    if (row->height_count == 0) return true;
+    return row->height_count == count && row->params.rotation == MT_ROTATION_NONE;
 }
 
 mt_status mt_row_verdict(const mt_row *row, mt_status status) {
@@ -268,6 +275,26 @@ mt_status mt_blend_set_family(mt_blend *blend, const char *name) {
 
 mt_status mt_blend_set_styles(mt_blend *blend, const char *const *names, int count) {
     return set_styles(&blend->row, names, count);
+}
+
+mt_status mt_blend_set_heights(mt_blend *blend, const double *t, int count) {
+    double *copy = count > 0 ? mt_new((size_t)count, sizeof *copy) : NULL;
+    if (count > 0 && !copy) return MT_NO_MEMORY;
+    for (int i = 0; i < count; i++) copy[i] = t[i];
+    mt_free(blend->row.heights);
+    blend->row.heights = copy;
+    blend->row.height_count = count > 0 ? count : 0;
+    return MT_OK;
+}
+
+mt_status mt_blend_set_places(mt_blend *blend, const uint32_t *glyphs, const double *t, const double *heights,
+                              int count) {
+    mt_given_places places;
+    mt_status status = mt_given_places_make(glyphs, t, heights, count, blend->row.fonts[0], &places);
+    if (status != MT_OK) return status;
+    mt_given_places_free(&blend->row.places);
+    blend->row.places = places;
+    return MT_OK;
 }
 
 mt_status mt_blend_warnings(const mt_blend *blend, mt_warning call, void *user) {

@@ -17,6 +17,7 @@
 #include "sfnt/axis_map.h"
 #include "source/font.h"
 #include "source/given_pairs.h"
+#include "source/given_places.h"
 
 typedef struct mt_row {
     int font_count;
@@ -34,6 +35,9 @@ typedef struct mt_row {
     uint32_t *wanted;
     int wanted_glyph_count; /* of the first font's; neither characters nor glyphs: all */
     uint32_t *wanted_glyphs;
+    int height_count;
+    double *heights;        /* T upwards of the fonts that are made, in their order; none: as across */
+    mt_given_places places; /* of glyphs by themselves */
     mt_glyph_set set;
     mt_curves curves;     /* of a UFO's outlines */
     mt_given_pairs pairs; /* empty: none are given */
@@ -46,7 +50,7 @@ typedef struct mt_row {
     mt_glyph_failed failed;
     mt_glyph_noted failure, kept; /* of glyphs that could not be blended, and of those without a partner */
     mt_glyph_noted cut_short;     /* of those whose effort was spent early */
-    mt_glyph_noted held;          /* of those that stay short of a T outside 0 … 1 */
+    mt_glyph_noted held;          /* of those that stay short of a place that was asked for */
     mt_left_out_noted left_out;
     mt_progress progress;
     void *failed_user, *failure_user, *kept_user, *cut_short_user, *held_user, *left_out_user, *progress_user;
@@ -80,6 +84,9 @@ mt_charset_request mt_row_request(const mt_row *row);
 
 /* The new font's units per em: the most that the blend of two neighbours needs (metadata.h). */
 int mt_row_units(const mt_row *row);
+
+/* Whether T upwards that were set, if any were, are for so many fonts, and the row can have them. */
+bool mt_row_takes_heights(const mt_row *row, int count);
 
 /* MT_STOPPED where the row's work was stopped; otherwise the status. */
 mt_status mt_row_verdict(const mt_row *row, mt_status status);

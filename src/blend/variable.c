@@ -154,7 +154,7 @@ static mt_status mirror_tables(mt_variable_maker *maker, mt_font_data *data) {
 static void fill_home(const mt_variable_maker *maker, mt_font_data *data) {
     const mt_row *row = &maker->variable->row;
     int home = maker->outlines.stops.home, first = home + 1 < row->font_count ? home : home - 1;
-    mt_metadata_fill(row->fonts[first], row->fonts[first + 1], home - first, data);
+    mt_metadata_fill(row->fonts[first], row->fonts[first + 1], mt_at_both(home - first), data);
 }
 
 static mt_status hand_over(mt_variable_maker *maker, bool masters, mt_font_ready ready, void *user) {

@@ -10,7 +10,7 @@
 
 /* GSUB is the first font's, and there already; GPOS and MATH vary by the store that GDEF has. */
 static mt_status add_layout(mt_making *making, const mt_stops *stops, mt_font_data *font) {
-    double at[MT_STOPS_MAX];
+    mt_at at[MT_STOPS_MAX];
     mt_var_store store = mt_var_store_make(stops);
     mt_places places = mt_places_of_fonts(at, &store);
     mt_bytes gpos, math, gdef;
@@ -68,7 +68,7 @@ static mt_status add_figures(mt_making *making, const mt_stops *stops, const mt_
         int at_font = mt_stops_font(stops, i), first = at_font ? at_font - 1 : 0;
         mt_font *const *fonts = making->row->fonts + first;
         mt_font_data at = {.units = making->units};
-        mt_metadata_fill(fonts[0], fonts[1], at_font - first, &at);
+        mt_metadata_fill(fonts[0], fonts[1], mt_at_both(at_font - first), &at);
         metrics[i] = at.metrics;
         mt_metadata_axis(axis, mt_variable_value(variable, at_font), at.units, &metrics[i]);
         vertical = vertical || at.metrics.vertical;

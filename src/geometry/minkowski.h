@@ -8,10 +8,12 @@
 #define MT_WEIGHT_ONE (1 << 20)
 typedef struct mt_weights {
     int32_t a, b;
+    int32_t up; /* y has so much more of b, and so much less of a, than x has */
 } mt_weights;
 
-/* Weights for T = t, -1 … 2: a = 1 - t, b = t, to the nearest 2^-20; sums want 0 … 1. */
+/* Weights for T = t, -1 … 2: a = 1 - t, b = t, to the nearest 2^-20; sums want 0 … 1, in both directions. */
 mt_weights mt_weights_at(double t);
+mt_weights mt_weights_of(mt_at at);
 
 /* (a·p + b·q) / MT_WEIGHT_ONE, to the nearest grid point, halves up. Gives p back when p and q are equal. */
 mt_point mt_mix(mt_weights weights, mt_point p, mt_point q);
@@ -26,6 +28,6 @@ typedef struct mt_corner {
     int p, q;
 } mt_corner;
 
-/* All of them, anticlockwise, into room for p->count + q->count; returns their number. From one to the next the vertex of p advances by
+/* All of them where both directions have one r, anticlockwise, into room for p->count + q->count; returns their number. From one to the next the vertex of p advances by
  * one, or that of q, or both. */
 int mt_minkowski_corners(const mt_ring *p, const mt_ring *q, mt_corner *corners);

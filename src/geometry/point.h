@@ -14,6 +14,27 @@ typedef struct mt_vector {
     double x, y;
 } mt_vector;
 
+/* A place between two drawings: T may be another one upwards than across, since points move on straight lines. */
+typedef struct mt_at {
+    double x, y; /* T of what lies across: x, advances, widths; and of what lies up: y, heights */
+} mt_at;
+
+/* The same T in both directions. */
+static inline mt_at mt_at_both(double t) {
+    mt_at at = {t, t};
+    return at;
+}
+
+static inline bool mt_at_equal(mt_at p, mt_at q) {
+    return p.x == q.x && p.y == q.y;
+}
+
+/* From p to q, so far: 0 … 1. */
+static inline mt_at mt_at_between(mt_at p, mt_at q, double share) {
+    mt_at at = {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
+    return at;
+}
+
 typedef struct mt_box {
     mt_point min, max; /* both inclusive */
 } mt_box;

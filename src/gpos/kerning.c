@@ -114,16 +114,16 @@ static mt_status kern(const mt_positions *positions, const mt_places *places, mt
     return status;
 }
 
-mt_status mt_positions_kerning(const mt_positions *positions, double t, mt_arena *arena,
+mt_status mt_positions_kerning(const mt_positions *positions, mt_font_at at, mt_arena *arena,
                                mt_kerning *kerning) {
-    mt_places place = {positions->font_count, 1, &t, NULL};
+    mt_places place = mt_places_of_one(&at, positions->font_count);
     return kern(positions, &place, (mt_between){0, 0}, arena, kerning);
 }
 
 mt_status mt_positions_master_kerning(const mt_positions *positions, mt_between at, mt_arena *arena,
                                       mt_kerning *kerning) {
-    double fonts[MT_STOPS_MAX];
-    for (int i = 0; i < positions->font_count; i++) fonts[i] = i;
-    mt_places places = {positions->font_count, positions->font_count, fonts, NULL};
+    mt_at fonts[MT_STOPS_MAX];
+    for (int i = 0; i < positions->font_count; i++) fonts[i] = mt_at_both(i);
+    mt_places places = {positions->font_count, positions->font_count, fonts, NULL, NULL};
     return kern(positions, &places, at, arena, kerning);
 }

@@ -24,9 +24,10 @@ typedef struct mt_kerning {
     const mt_kerning_pair *pairs;
 } mt_kerning;
 
-/* The kerning at t, as mt_positions_write has it, of the script that text in Latin is set by; empty where no font kerns, or where
- * their classes together are too many (MT_PAIR_CELLS_MAX). It belongs to the arena. MT_NO_MEMORY. */
-mt_status mt_positions_kerning(const mt_positions *positions, double t, mt_arena *arena, mt_kerning *kerning);
+/* The kerning at a place, as mt_positions_write has it, of the script that text in Latin is set by; empty where no font kerns, or where
+ * their classes together are too many (MT_PAIR_CELLS_MAX). It belongs to the arena. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_positions_kerning(const mt_positions *positions, mt_font_at at, mt_arena *arena,
+                               mt_kerning *kerning);
 
 /* The same as one of several masters of a varying font: groups and pairs are the same at all places, also where a pair's value is 0 or
  * that of its groups, as programs that mix masters want them. MT_NO_MEMORY. */

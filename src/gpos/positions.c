@@ -364,14 +364,14 @@ static mt_status write_at(const mt_positions *positions, const mt_places *places
     return status;
 }
 
-mt_status mt_positions_write(const mt_positions *positions, double t, mt_arena *arena, mt_bytes *gpos) {
-    mt_places places = {positions->font_count, 1, &t, NULL};
+mt_status mt_positions_write(const mt_positions *positions, mt_font_at at, mt_arena *arena, mt_bytes *gpos) {
+    mt_places places = mt_places_of_one(&at, positions->font_count);
     return write_at(positions, &places, arena, gpos);
 }
 
 mt_status mt_positions_write_varying(const mt_positions *positions, mt_var_store *store, mt_arena *arena,
                                      mt_bytes *gpos) {
-    double at[MT_STOPS_MAX];
+    mt_at at[MT_STOPS_MAX];
     mt_places places = mt_places_of_fonts(at, store);
     return write_at(positions, &places, arena, gpos);
 }

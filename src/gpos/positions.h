@@ -16,9 +16,9 @@ typedef struct mt_positions mt_positions;
 mt_status mt_positions_prepare(mt_font *const *fonts, const mt_font_glyphs *glyphs, int units,
                                mt_arena *arena, mt_positions **positions);
 
-/* The GPOS table of the font at t: 0 is the first font, 1 the second, and so on. In the arena; no bytes where there is
+/* The GPOS table of the font at a place: 0 is the first font, 1 the second, and so on. In the arena; no bytes where there is
  * nothing to position. MT_NO_MEMORY, MT_TOO_LARGE. */
-mt_status mt_positions_write(const mt_positions *positions, double t, mt_arena *arena, mt_bytes *gpos);
+mt_status mt_positions_write(const mt_positions *positions, mt_font_at at, mt_arena *arena, mt_bytes *gpos);
 
 /* The GPOS table of the varying font; the store, which GDEF is to have (layout/gdef.h), takes what varies. In the arena.
  * MT_NO_MEMORY, MT_TOO_LARGE. */

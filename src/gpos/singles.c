@@ -112,10 +112,12 @@ typedef struct mt_mixed_singles {
 
 static void mix_single(const mt_single *single, const mt_places *places, int32_t *value) {
     for (int i = 0; i < places->count; i++) {
-        mt_between between = mt_between_at(places, i);
-        const double *first = single->in_fonts[between.first], *second = single->in_fonts[between.first + 1];
-        for (int k = 0; k < MT_VALUE_PARTS; k++)
-            value[k * places->count + i] = mt_value_rounded(mt_between_mix(between, first[k], second[k]));
+        for (int k = 0; k < MT_VALUE_PARTS; k++) {
+            mt_between between = mt_between_at_glyph(places, i, single->glyph, mt_value_direction(k));
+            double first = single->in_fonts[between.first][k],
+                   second = single->in_fonts[between.first + 1][k];
+            value[k * places->count + i] = mt_value_rounded(mt_between_mix(between, first, second));
+        }
     }
 }
 

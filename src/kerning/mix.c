@@ -1,5 +1,7 @@
 #include "kerning/mix.h"
 
+#include "kerning/divide.h"
+
 #include <string.h>
 
 const int32_t *mt_mixed_cell(const mt_mixed_pairs *mixed, int row, int column) {
@@ -14,8 +16,8 @@ const int32_t *mt_mixed_listed(const mt_mixed_pairs *mixed, int i) {
 /* The pairs and the places that they are mixed for. */
 typedef struct mt_pair_mixing {
     const mt_pairs *pairs;
+    const mt_at *left, *right; /* where the classes lie; NULL: where the font does */
     const mt_places *places;
-    mt_between between[MT_STOPS_MAX]; /* of each place */
     mt_arena scratch;
 } mt_pair_mixing;
 
@@ -31,18 +33,25 @@ static const double *values_in(const mt_pairs *pairs, int font, int left, int ri
     return matrix->values + cell * (size_t)pairs->part_count;
 }
 
+/* Between which fonts a pair's part is mixed, at the i-th place. */
+static mt_between between_of(const mt_pair_mixing *mixing, int left, int right, int part, int i) {
+    mt_direction direction = mt_value_direction(mixing->pairs->parts[part]);
+    if (!mixing->left) return mt_between_at(mixing->places, i, direction);
+    return mt_between_at_pair(mixing->places, mixing->left[left], mixing->right[right], direction);
+}
+
 /* The values of a class of left glyphs with every class of right ones. */
 static void fill_row(const mt_pair_mixing *mixing, int left, int32_t *row) {
     const mt_pairs *pairs = mixing->pairs;
     int parts = pairs->part_count, places = mixing->places->count;
     for (int c = 0; c < pairs->right.count; c++, row += parts * places)
-        for (int i = 0; i < places; i++) {
-            mt_between between = mixing->between[i];
-            const double *first = values_in(pairs, between.first, left, c);
-            const double *second = values_in(pairs, between.first + 1, left, c);
-            for (int k = 0; k < parts; k++)
-                row[k * places + i] = mt_value_rounded(mt_between_mix(between, first[k], second[k]));
-        }
+        for (int i = 0; i < places; i++)
+            for (int k = 0; k < parts; k++) {
+                mt_between between = between_of(mixing, left, c, k, i);
+                double first = values_in(pairs, between.first, left, c)[k],
+                       second = values_in(pairs, between.first + 1, left, c)[k];
+                row[k * places + i] = mt_value_rounded(mt_between_mix(between, first, second));
+            }
 }
 
 /* ---- rows and columns that are equal ------------------------------------------------------------------- */
@@ -117,12 +126,14 @@ static mt_status merge(mt_pair_mixing *mixing, mt_interned *rows, mt_interned *c
 static void mix_listed_pair(const mt_pair_mixing *mixing, size_t i, int32_t *value) {
     int places = mixing->places->count, parts = mixing->pairs->part_count;
     size_t step = (size_t)mixing->pairs->font_count * (size_t)parts;
+    mt_listed_pair pair = mixing->pairs->listed[i];
+    int left = mixing->pairs->left.of[pair.left], right = mixing->pairs->right.of[pair.right];
     const double *in_fonts = mixing->pairs->listed_values + i * step;
     for (int k = 0; k < parts; k++)
         for (int p = 0; p < places; p++) {
-            const double *first = in_fonts + mixing->between[p].first * parts;
-            value[k * places + p] =
-                mt_value_rounded(mt_between_mix(mixing->between[p], first[k], first[parts + k]));
+            mt_between between = between_of(mixing, left, right, k, p);
+            const double *first = in_fonts + between.first * parts;
+            value[k * places + p] = mt_value_rounded(mt_between_mix(between, first[k], first[parts + k]));
         }
 }
 
@@ -146,12 +157,17 @@ static mt_status mix_listed(const mt_pair_mixing *mixing, mt_arena *arena, mt_mi
 
 mt_status mt_pairs_mix(const mt_pairs *pairs, const mt_places *places, mt_arena *arena,
                        mt_mixed_pairs *mixed) {
-    mt_pair_mixing mixing = {.pairs = pairs, .places = places};
+    mt_divided_pairs divided;
+    mt_pair_mixing mixing = {.pairs = &divided.pairs, .places = places};
     mt_mixed_pairs made = {.glyph_count = pairs->glyph_count,
                            .values = {pairs->part_count, places->count, pairs->parts}};
-    mt_interned rows = {.width = pairs->right.count * mt_value_row_width(&made.values)}, columns = {0};
-    for (int i = 0; i < places->count; i++) mixing.between[i] = mt_between_at(places, i);
-    mt_status status = merge(&mixing, &rows, &columns, arena, &made);
+    mt_interned rows = {0}, columns = {0};
+    mt_status status = mt_pairs_divide(pairs, places, &mixing.scratch, &divided);
+    if (status == MT_OK) {
+        mixing.left = divided.left, mixing.right = divided.right;
+        rows.width = divided.pairs.right.count * mt_value_row_width(&made.values);
+        status = merge(&mixing, &rows, &columns, arena, &made);
+    }
     if (status == MT_OK) status = mix_listed(&mixing, arena, &made);
     mt_interned_free(&rows);
     mt_interned_free(&columns);

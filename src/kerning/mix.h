@@ -16,7 +16,7 @@ typedef struct mt_mixed_pairs {
     int32_t *listed_values; /* listed_count rows of values */
 } mt_mixed_pairs;
 
-/* MT_NO_MEMORY. */
+/* MT_NO_MEMORY; MT_TOO_LARGE as mt_pairs_divide. */
 mt_status mt_pairs_mix(const mt_pairs *pairs, const mt_places *places, mt_arena *arena,
                        mt_mixed_pairs *mixed);
 

@@ -4,19 +4,21 @@
 
 /* ---- parts of all of its tables ------------------------------------------------------------------------ */
 
-static double mix_at(const mt_math_writer *writer, const double *row, int place) {
-    mt_between between = mt_between_at(&writer->places, place);
+static double mix_at(const mt_math_writer *writer, mt_math_of of, const double *row, int place) {
+    mt_between between = of.glyph == MT_MATH_FONT
+                             ? mt_between_at(&writer->places, place, of.direction)
+                             : mt_between_at_glyph(&writer->places, place, of.glyph, of.direction);
     return mt_between_mix(between, row[between.first], row[between.first + 1]);
 }
 
-double mt_math_at_first(const mt_math_writer *writer, const double *row) {
-    return mix_at(writer, row, 0);
+double mt_math_at_first(const mt_math_writer *writer, mt_math_of of, const double *row) {
+    return mix_at(writer, of, row, 0);
 }
 
-void mt_math_write_value(const mt_math_writer *writer, const double *row, mt_variation_pool *pool,
-                         size_t to_pool, mt_table *table) {
+void mt_math_write_value(const mt_math_writer *writer, mt_math_of of, const double *row,
+                         mt_variation_pool *pool, size_t to_pool, mt_table *table) {
     int32_t values[MT_STOPS_MAX];
-    for (int i = 0; i < writer->places.count; i++) values[i] = mt_value_rounded(mix_at(writer, row, i));
+    for (int i = 0; i < writer->places.count; i++) values[i] = mt_value_rounded(mix_at(writer, of, row, i));
     int device = mt_variation_pool_add(pool, values);
     mt_table_16(table, values[0]);
     mt_table_16(table, device < 0 ? 0 : (int)to_pool + device);
@@ -41,18 +43,29 @@ mt_status mt_math_nest_end(mt_math_nest *nest) {
 
 /* ---- constants ----------------------------------------------------------------------------------------- */
 
+/* Most constants are heights. */
+static mt_math_of what(int constant) {
+    static const int across[] = {MT_MATH_SPACE_AFTER_SCRIPT, MT_MATH_SKEWED_FRACTION_GAP,
+                                 MT_MATH_KERN_BEFORE_DEGREE, MT_MATH_KERN_AFTER_DEGREE};
+    for (size_t i = 0; i < sizeof across / sizeof *across; i++)
+        if (constant == across[i]) return (mt_math_of){MT_MATH_FONT, MT_ACROSS};
+    return (mt_math_of){MT_MATH_FONT, MT_UP};
+}
+
 /* Nothing where the first font has none. */
 static mt_status write_constants(const mt_math_writer *writer, mt_table *table) {
     enum { LENGTH = 214 };
     const double *const *constants = writer->math->constants;
     mt_variation_pool pool = mt_variation_pool_make(writer->places.store);
     if (!writer->math->has_constants) return MT_OK;
-    for (int i = 0; i < MT_MATH_PERCENTS; i++) mt_table_i16_of(table, mt_math_at_first(writer, constants[i]));
+    for (int i = 0; i < MT_MATH_PERCENTS; i++)
+        mt_table_i16_of(table, mt_math_at_first(writer, what(i), constants[i]));
     for (int i = MT_MATH_PERCENTS; i < MT_MATH_FIRST_VALUE; i++)
-        mt_table_u16_of(table, mt_math_at_first(writer, constants[i]));
+        mt_table_u16_of(table, mt_math_at_first(writer, what(i), constants[i]));
     for (int i = MT_MATH_FIRST_VALUE; i < MT_MATH_LAST_PERCENT; i++)
-        mt_math_write_value(writer, constants[i], &pool, LENGTH, table);
-    mt_table_i16_of(table, mt_math_at_first(writer, constants[MT_MATH_LAST_PERCENT]));
+        mt_math_write_value(writer, what(i), constants[i], &pool, LENGTH, table);
+    const int last = MT_MATH_LAST_PERCENT;
+    mt_table_i16_of(table, mt_math_at_first(writer, what(last), constants[last]));
     mt_variation_pool_write(&pool, table);
     mt_variation_pool_free(&pool);
     return pool.status;

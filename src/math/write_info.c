@@ -5,6 +5,7 @@
 /* ---- values of glyphs ---------------------------------------------------------------------------------- */
 
 /* The values, and behind them what varies in them and the Coverage table. */
+/* Italics corrections and places of accents are across. */
 static mt_status write_rows(const mt_math_writer *writer, const mt_math_rows *rows, mt_table *table) {
     enum { FIRST = 4, RECORD = 4 };
     uint16_t *glyphs = mt_arena_new(writer->scratch, (size_t)rows->count + 1, sizeof *glyphs);
@@ -19,7 +20,8 @@ static mt_status write_rows(const mt_math_writer *writer, const mt_math_rows *ro
     for (int i = 0; i < rows->count; i++) {
         if (!rows->list[i].in_first && writer->first_only) continue;
         glyphs[count++] = rows->list[i].glyph;
-        mt_math_write_value(writer, rows->list[i].in_fonts, &pool, to_pool, &values);
+        mt_math_of of = {rows->list[i].glyph, MT_ACROSS};
+        mt_math_write_value(writer, of, rows->list[i].in_fonts, &pool, to_pool, &values);
     }
     size_t to_coverage = to_pool + mt_variation_pool_size(&pool);
     mt_variation_pool_write(&pool, &values);
@@ -35,16 +37,19 @@ static mt_status write_rows(const mt_math_writer *writer, const mt_math_rows *ro
 
 /* ---- kerns at corners ---------------------------------------------------------------------------------- */
 
-static mt_status write_kern(const mt_math_writer *writer, const mt_math_kern_rows *kern, mt_table *table) {
+static mt_status write_kern(const mt_math_writer *writer, int glyph, const mt_math_kern_rows *kern,
+                            mt_table *table) {
     enum { RECORD = 4 };
     size_t fonts = (size_t)writer->places.font_count, heights = (size_t)kern->count;
     size_t to_pool = 2 + RECORD * (2 * heights + 1);
     mt_variation_pool pool = mt_variation_pool_make(writer->places.store);
     mt_table_16(table, kern->count);
     for (size_t i = 0; i < heights; i++)
-        mt_math_write_value(writer, kern->heights + i * fonts, &pool, to_pool, table);
+        mt_math_write_value(writer, (mt_math_of){glyph, MT_UP}, kern->heights + i * fonts, &pool, to_pool,
+                            table);
     for (size_t i = 0; i <= heights; i++)
-        mt_math_write_value(writer, kern->kerns + i * fonts, &pool, to_pool, table);
+        mt_math_write_value(writer, (mt_math_of){glyph, MT_ACROSS}, kern->kerns + i * fonts, &pool, to_pool,
+                            table);
     bool too_far = to_pool + mt_variation_pool_size(&pool) > UINT16_MAX;
     mt_variation_pool_write(&pool, table);
     mt_variation_pool_free(&pool);
@@ -65,7 +70,7 @@ static mt_status write_kerns(const mt_math_writer *writer, mt_table *table) {
             const mt_math_kern_rows *kern = &math->kerns[i].corners[c];
             if (kern->present) {
                 mt_math_nest_offset(&nest);
-                status = write_kern(writer, kern, &nest.inner);
+                status = write_kern(writer, math->kerns[i].glyph, kern, &nest.inner);
             } else {
                 mt_table_16(table, 0);
             }

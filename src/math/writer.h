@@ -12,11 +12,19 @@ typedef struct mt_math_writer {
     mt_arena *scratch;
 } mt_math_writer;
 
+/* What a value is of: a new glyph, or MT_MATH_FONT; and in which direction it measures. */
+typedef struct mt_math_of {
+    int glyph;
+    mt_direction direction;
+} mt_math_of;
+
+enum { MT_MATH_FONT = -1 };
+
 /* A row at the first place, not rounded. */
-double mt_math_at_first(const mt_math_writer *writer, const double *row);
+double mt_math_at_first(const mt_math_writer *writer, mt_math_of of, const double *row);
 /* A MathValueRecord. The pool starts `to_pool` bytes from the start of the table that has the record. */
-void mt_math_write_value(const mt_math_writer *writer, const double *row, mt_variation_pool *pool,
-                         size_t to_pool, mt_table *table);
+void mt_math_write_value(const mt_math_writer *writer, mt_math_of of, const double *row,
+                         mt_variation_pool *pool, size_t to_pool, mt_table *table);
 
 /* A table of a known head, and behind it what 16-bit offsets in the head lead to. */
 typedef struct mt_math_nest {

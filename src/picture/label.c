@@ -3,6 +3,7 @@
  * twice is a dot. */
 #include "picture/label.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 
@@ -171,13 +172,24 @@ double mt_label_fitting(const char *text, double height, double room) {
     return width > room ? height * room / width : height;
 }
 
-void mt_label_t(double t, char *text, size_t room) {
-    int decimals = 4, one = 10000, value = (int)(t * one + 0.5);
+/* What stands before it, and T, which may be less than nothing. */
+static size_t write_t(const char *before, double t, char *text, size_t room) {
+    int decimals = 4, one = 10000, value = (int)(fabs(t) * one + 0.5);
+    const char *sign = t < 0 && value ? "-" : "";
     for (; decimals > 0 && value % 10 == 0; decimals--, one /= 10) value /= 10;
-    if (decimals == 0)
-        snprintf(text, room, "T = %d", value);
-    else
-        snprintf(text, room, "T = %d.%0*d", value / one, decimals, value % one);
+    int length = decimals == 0
+                     ? snprintf(text, room, "%s%s%d", before, sign, value)
+                     : snprintf(text, room, "%s%s%d.%0*d", before, sign, value / one, decimals, value % one);
+    return (size_t)length < room ? (size_t)length : room;
+}
+
+void mt_label_t(double t, char *text, size_t room) {
+    write_t("T = ", t, text, room);
+}
+
+void mt_label_at(mt_at at, char *text, size_t room) {
+    size_t length = write_t("T = ", at.x, text, room);
+    if (at.x != at.y) write_t(",y=", at.y, text + length, room - length);
 }
 
 double mt_label_height(double size) {

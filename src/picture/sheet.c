@@ -93,7 +93,7 @@ static void draw_header(const sheet_page *page, cairo_t *cairo, int number) {
     draw_title(page, cairo, 0, sheet->title_a, right - height, y);
     draw_title(page, cairo, 1, sheet->title_b, right - height, y + line);
     for (int i = 0; i < sheet->step_count; i++) {
-        mt_label_t(sheet->at[i], text, sizeof text);
+        mt_label_at(page->instances[i].at, text, sizeof text);
         double x = margin + page->heading + (i + 0.5) * sheet->size;
         mt_label_draw_centred(cairo, text, x, margin + page->header - 0.5 * line,
                               mt_label_fitting(text, height, sheet->size * 0.9));

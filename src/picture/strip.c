@@ -96,11 +96,11 @@ static double measure_lines(strip_page *page) {
     return width;
 }
 
-static double widest_label(const mt_strip *strip, double height) {
+static double widest_label(const strip_page *page, double height) {
     char label[32];
     double width = 0;
-    for (int i = 0; i < strip->step_count; i++) {
-        mt_label_t(strip->at[i], label, sizeof label);
+    for (int i = 0; i < page->strip->step_count; i++) {
+        mt_label_at(page->instances[i].at, label, sizeof label);
         width = larger(width, mt_label_width(label, height));
     }
     return width;
@@ -111,7 +111,7 @@ static void lay_out(strip_page *page) {
     double width = measure_lines(page);
     page->stacked = width > SHORT_LINE;
     page->label_height = strip->labels ? mt_label_height(strip->size) : 0;
-    page->step_width = larger(width * strip->size, widest_label(strip, page->label_height));
+    page->step_width = larger(width * strip->size, widest_label(page, page->label_height));
     page->step_height = page->line_count * (page->ascent + page->descent) * strip->size;
     if (strip->labels) page->step_height += page->label_height + LABEL_GAP * strip->size;
 }
@@ -130,7 +130,7 @@ static mt_status open_canvas(const strip_page *page, mt_format format, mt_canvas
 
 static void draw_label(const strip_page *page, int step, cairo_t *cairo, double left, double baseline) {
     char label[32];
-    mt_label_t(page->strip->at[step], label, sizeof label);
+    mt_label_at(page->instances[step].at, label, sizeof label);
     if (page->stacked)
         mt_label_draw(cairo, label, left, baseline, page->label_height);
     else

@@ -101,6 +101,7 @@ void mt_typesets_free(mt_typeset *instances, int count) {
 /* Instances in the making. */
 typedef struct maker {
     const mt_blend *blend;
+    const double *at;
     mt_typeset *list;
     int count;
 } maker;
@@ -121,12 +122,14 @@ static mt_status list_firsts(const maker *making, const mt_font_data *data) {
 /* An mt_font_ready. */
 static mt_status keep(const mt_font_data *data, int index, void *user) {
     const maker *making = user;
+    const mt_row *row = &making->blend->row;
     mt_typeset *instance = &making->list[index];
     size_t length;
     mt_status status = index == 0 ? list_firsts(making, data) : MT_OK;
     if (status == MT_OK) status = mt_font_write(data, &instance->bytes, &length);
     if (status != MT_OK) return status;
     instance->firsts = making->list[0].firsts;
+    instance->at = (mt_at){making->at[index], row->height_count ? row->heights[index] : making->at[index]};
     status = open_bytes(instance, length);
     if (status == MT_OK) read_extents(instance);
     return status;
@@ -134,7 +137,7 @@ static mt_status keep(const mt_font_data *data, int index, void *user) {
 
 mt_status mt_typesets_new(mt_blend *blend, const mt_choice *choices, int choice_count, const double *at,
                           int count, mt_fonts_made made, void *user, mt_typeset **instances) {
-    maker making = {blend, mt_new((size_t)count, sizeof *making.list), count};
+    maker making = {blend, at, mt_new((size_t)count, sizeof *making.list), count};
     uint32_t glyph;
     mt_status status = making.list ? mt_row_choose(&blend->row, choices, choice_count) : MT_NO_MEMORY;
     if (status == MT_OK) status = mt_blend_make(blend, at, count, keep, &making);

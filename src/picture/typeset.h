@@ -18,6 +18,7 @@ typedef struct mt_typeset {
     mt_first_glyph *firsts; /* of each of the first font's glyphs; the first instance of several has them */
     hb_font_t *font;
     hb_draw_funcs_t *draw;
+    mt_at at;
     double units;           /* per em */
     double ascent, descent; /* em, from the baseline; descent is positive */
 } mt_typeset;

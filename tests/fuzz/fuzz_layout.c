@@ -23,7 +23,7 @@ static void write_positions(mt_font *const fonts[2], mt_arena *arena) {
     mt_bytes gpos, gdef, none = {0};
     if (mt_row_glyphs_make(fonts, 2, &(mt_charset_request){0}, arena, &glyphs) != MT_OK) return;
     if (mt_positions_prepare(fonts, &glyphs.fonts, 1000, arena, &positions) != MT_OK) return;
-    (void)mt_positions_write(positions, 0.5, arena, &gpos);
+    (void)mt_positions_write(positions, mt_font_at_t(0.5), arena, &gpos);
     const mt_stops stops = mt_stops_even(2);
     mt_var_store store = mt_var_store_make(&stops);
     if (mt_positions_write_varying(positions, &store, arena, &gpos) == MT_OK)

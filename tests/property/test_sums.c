@@ -104,7 +104,7 @@ static void merge_is_the_hull_of_all_sums(void **state) {
  * convex. */
 static void exact_sums(void **state) {
     (void)state;
-    const mt_weights half = {MT_WEIGHT_ONE / 2, MT_WEIGHT_ONE / 2};
+    const mt_weights half = {MT_WEIGHT_ONE / 2, MT_WEIGHT_ONE / 2, 0};
     for (int i = 0; i < mt_test_cases(300); i++) {
         mt_random random = mt_random_case(i);
         mt_ring pieces[2] = {random_piece(&random, 1000), random_piece(&random, i % 2 ? 1000 : 64)};
@@ -133,7 +133,7 @@ static void sides_can_be_swapped(void **state) {
         mt_ring p = random_piece(&random, MT_EM), q = random_piece(&random, 1000);
         mt_rings first = {1, &p}, second = {1, &q};
         mt_subject subject = {"sides_can_be_swapped", i, {&first, &second}};
-        mt_weights weights = mt_weights_at(mt_random_unit(&random)), swapped = {weights.b, weights.a};
+        mt_weights weights = mt_weights_at(mt_random_unit(&random)), swapped = {weights.b, weights.a, 0};
         mt_ring one = mt_test_ring(&arena, p.count + q.count), two = mt_test_ring(&arena, p.count + q.count);
         mt_minkowski(&p, &q, weights, &one);
         mt_minkowski(&q, &p, swapped, &two);

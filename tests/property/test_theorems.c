@@ -207,7 +207,7 @@ static void a_convex_b_gives_the_sum(void **state) {
         trial swapped = t;
         swapped.a = t.b;
         swapped.b = t.a;
-        swapped.weights = (mt_weights){t.weights.b, t.weights.a};
+        swapped.weights = (mt_weights){t.weights.b, t.weights.a, 0};
         turned = blend_of(&swapped.a, &swapped.b, &swapped, swapped.weights);
         check_is_sum(&turned, &swapped);
         mt_arena_reset(&arena);

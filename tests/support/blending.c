@@ -107,7 +107,7 @@ static mt_test_place place_of(const mt_test_blend *blend, double t, mt_bytes fon
 
 mt_test_place mt_test_place_at(const mt_test_blend *blend, double t) {
     mt_bytes gpos;
-    mt_assert_ok(mt_positions_write(blend->positions, t, blend->arena, &gpos));
+    mt_assert_ok(mt_positions_write(blend->positions, mt_font_at_t(t), blend->arena, &gpos));
     mt_bytes font = mt_test_layout_font(&blend->charset, blend->units, advances_at(blend, t), gdef_of(blend),
                                         gpos, (mt_test_varying){0}, blend->arena);
     return place_of(blend, t, font, gpos.length);

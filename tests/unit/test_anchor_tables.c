@@ -32,8 +32,8 @@ static mt_anchor anchor_at(double x, double y) {
 }
 
 /* One place between two fonts. */
-static mt_places at(const double *t) {
-    return (mt_places){2, 1, t, NULL};
+static mt_places at(const mt_at *place) {
+    return (mt_places){2, 1, place, NULL, NULL};
 }
 
 static mt_font_glyphs glyphs_of(const mt_charset *charset, mt_arena *of) {
@@ -82,7 +82,7 @@ static mt_attachment many_marks_and_bases(void) {
 static void large_lookups_are_split(void **state) {
     (void)state;
     mt_attachment all = many_marks_and_bases();
-    mt_places half = at(&(double){0.5});
+    mt_places half = at(&(mt_at){0.5, 0.5});
     mt_subtables subtables = {0};
     mt_assert_ok(mt_attachment_write(&all, MT_MARK_TO_BASE, &half, &arena, &subtables));
     assert_true(subtables.count > 2);
@@ -108,7 +108,7 @@ static bool component_has(int ligature, int component) {
 static void ligatures_keep_their_components(void **state) {
     (void)state;
     mt_attachment all = {1, 0, new_anchored(1), new_anchored(4 * LIGATURE_COUNT)};
-    mt_places end = at(&(double){1});
+    mt_places end = at(&(mt_at){1, 1});
     all.marks[0] = (mt_anchored){1, 0, 1, anchor_at(0, 0)};
     for (int i = 0; i < LIGATURE_COUNT; i++)
         for (int c = 0, components = 2 + i % 3; c < components; c++)
@@ -144,7 +144,7 @@ static void many_cursive_glyphs_still_join(void **state) {
     enum { COUNT = 6000 };
     mt_cursive cursive = {COUNT, mt_arena_new(&arena, COUNT, sizeof(mt_cursive_glyph))};
     assert_non_null(cursive.glyphs);
-    mt_places start = at(&(double){0});
+    mt_places start = at(&(mt_at){0, 0});
     for (int i = 0; i < COUNT; i++)
         cursive.glyphs[i] = (mt_cursive_glyph){
             (uint16_t)(3 * i), {i % 5 != 0, i % 7 != 0}, {anchor_at(i, 0), anchor_at(-i, 500)}};
@@ -198,7 +198,7 @@ static mt_anchored fixed(int glyph, int component, int components, double x, dou
 static void add_lookup(mt_lookup_builders *made, int type, const mt_attachment *attachment,
                        const mt_cursive *cursive) {
     static const mt_member member = {0, MT_TAG('m', 'a', 'r', 'k')};
-    mt_places start = at(&(double){0});
+    mt_places start = at(&(mt_at){0, 0});
     mt_subtables subtables = {0};
     if (attachment) mt_assert_ok(mt_attachment_write(attachment, type, &start, &arena, &subtables));
     if (cursive) mt_assert_ok(mt_cursive_write(cursive, &start, &arena, &subtables));
@@ -360,7 +360,7 @@ static mt_status blend_without(long failing, const char *paths[2]) {
     mt_font_glyphs in_fonts = glyphs_of(&charset, &scratch);
     mt_assert_ok(mt_systems_make((const mt_layout *[]){&layouts[0], &layouts[1]}, 2, &scratch, &systems));
     mt_anchor_source sources[] = {{fonts[0], &layouts[0], &still}, {fonts[1], &layouts[1], &still}};
-    mt_places half = at(&(double){0.5});
+    mt_places half = at(&(mt_at){0.5, 0.5});
     mt_arena kept = {0};
     mt_allocation_fail(failing, false);
     mt_status status = mt_anchors_prepare(sources, &systems, NULL, 0, &in_fonts, 1000, &kept, &anchors);
@@ -413,7 +413,7 @@ static void blend_tables(mt_font *font, const mt_charset *charset, mt_bytes one,
     mt_assert_ok(mt_systems_make((const mt_layout *[]){&a, &b}, 2, &scratch, &systems));
     mt_anchor_source sources[] = {{font, &a, &still}, {font, &b, &still}};
     mt_font_glyphs glyphs = glyphs_of(charset, &scratch);
-    mt_places half = at(&(double){0.5});
+    mt_places half = at(&(mt_at){0.5, 0.5});
     mt_assert_ok(mt_anchors_prepare(sources, &systems, NULL, 0, &glyphs, 2048, &scratch, &anchors));
     mt_assert_ok(mt_anchors_write(&anchors, &half, &scratch, &made));
     mt_arena_release(&scratch);

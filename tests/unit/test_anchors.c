@@ -87,7 +87,7 @@ static hb_font_t *font_at(const mt_pair *pair, double t) {
         classes[i] =
             (uint16_t)hb_ot_layout_get_glyph_class(hb_font_get_face(pair->a.shaping), (hb_codepoint_t)glyph);
     }
-    mt_assert_ok(mt_positions_write(pair->positions, t, &arena, &gpos));
+    mt_assert_ok(mt_positions_write(pair->positions, mt_font_at_t(t), &arena, &gpos));
     mt_bytes gdef = mt_test_gdef(classes, count, &arena);
     mt_bytes font =
         mt_test_layout_font(&pair->charset, pair->units, advances, gdef, gpos, (mt_test_varying){0}, &arena);

@@ -182,7 +182,7 @@ static void without_a_glyph_of_it(void **state) {
             if (blend.charset.glyphs[i].code_point == FIRST + 3) blend.charset.glyphs[i].a = GLYPHS;
         mt_test_blend_prepare(&blend);
         mt_bytes gpos;
-        mt_assert_ok(mt_positions_write(blend.positions, 0, &arena, &gpos));
+        mt_assert_ok(mt_positions_write(blend.positions, mt_font_at_t(0), &arena, &gpos));
         assert_int_equal(gpos.length, 0);
         mt_test_blend_close(&blend);
     }

@@ -53,7 +53,7 @@ static mt_bytes kern_table(bool minima) {
 static int kern_value(mt_test_place *place, uint32_t left, uint32_t right) {
     mt_kerning kerning;
     int value = 0;
-    mt_assert_ok(mt_positions_kerning(place->blend->positions, place->t, &arena, &kerning));
+    mt_assert_ok(mt_positions_kerning(place->blend->positions, mt_font_at_t(place->t), &arena, &kerning));
     for (int i = 0; i < kerning.pair_count; i++) {
         mt_kerning_pair pair = kerning.pairs[i];
         const mt_kerning_group *l = &kerning.left[pair.left], *r = &kerning.right[pair.right];

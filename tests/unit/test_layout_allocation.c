@@ -32,11 +32,11 @@ static mt_status make_positions(mt_font *a, mt_font *b, mt_arena *made) {
     mt_kerning kerning;
     mt_status status = mt_charset_make(a, b, &(mt_charset_request){0}, made, &charset);
     if (status == MT_OK) status = mt_test_positions((mt_font *[]){a, b}, &charset, 2, 1000, made, &positions);
-    if (status == MT_OK) status = mt_positions_write(positions, 0.5, made, &gpos);
+    if (status == MT_OK) status = mt_positions_write(positions, mt_font_at_t(0.5), made, &gpos);
     if (status == MT_OK) assert_true(gpos.length > 0);
     if (status == MT_OK) status = mt_test_write_varying(positions, 2, none, made, &gpos, &gdef);
     if (status == MT_OK) assert_true(gdef.length > 0);
-    return status == MT_OK ? mt_positions_kerning(positions, 0.5, made, &kerning) : status;
+    return status == MT_OK ? mt_positions_kerning(positions, mt_font_at_t(0.5), made, &kerning) : status;
 }
 
 /* Request `first` fails, and with `all_after` all later ones. Whether there was such a request. */

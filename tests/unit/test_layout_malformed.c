@@ -46,11 +46,11 @@ static void write_positions(mt_font *a, mt_font *b, mt_arena *scratch) {
     mt_status status = mt_test_positions((mt_font *[]){a, b}, &charset, 2, 1000, scratch, &positions);
     if (status == MT_ENDLESS_LOOKUPS) return;
     mt_assert_ok(status);
-    status = mt_positions_write(positions, 0.5, scratch, &gpos);
+    status = mt_positions_write(positions, mt_font_at_t(0.5), scratch, &gpos);
     assert_true(status == MT_OK || status == MT_TOO_LARGE);
     status = mt_test_write_varying(positions, 2, none, scratch, &gpos, &gdef);
     assert_true(status == MT_OK || status == MT_TOO_LARGE);
-    mt_assert_ok(mt_positions_kerning(positions, 0.5, scratch, &kerning));
+    mt_assert_ok(mt_positions_kerning(positions, mt_font_at_t(0.5), scratch, &kerning));
 }
 
 /* Blends a font that has the table with one that has another, both ways round. */

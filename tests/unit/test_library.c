@@ -267,6 +267,57 @@ static void a_glyph_by_its_number_is_its_character_s(void **state) {
     close_pair(&pair);
 }
 
+/* ---- places ---------------------------------------------------------------------------------------------- */
+
+static size_t length_of(mt_blend *blend, const double *t, int count) {
+    uint8_t *bytes[2];
+    size_t lengths[2];
+    mt_assert_ok(mt_blend_fonts(blend, t, count, bytes, lengths));
+    for (int i = 0; i < count; i++) mt_bytes_free(bytes[i]);
+    return lengths[0];
+}
+
+static void heights_are_for_as_many_fonts(void **state) {
+    (void)state;
+    const double t[] = {0.3, 0.6}, far[] = {0.3, 2.5};
+    const uint32_t text[] = {'n', 'o'};
+    uint8_t *bytes[2];
+    size_t lengths[2];
+    drawn plain = {0}, high = {0};
+    double advance;
+    font_pair pair = open_pair(1);
+    mt_assert_ok(mt_blend_set_chars(pair.blend, text, 2));
+    mt_assert_ok(mt_blend_glyph(pair.blend, 'n', 0.3, &draw, &plain, &advance));
+    mt_assert_ok(mt_blend_set_heights(pair.blend, &t[1], 1));
+    mt_assert_ok(mt_blend_glyph(pair.blend, 'n', 0.3, &draw, &high, &advance));
+    assert_memory_not_equal(&plain, &high, sizeof plain);
+    assert_true(length_of(pair.blend, t, 1) > 0);
+    assert_int_equal(mt_blend_fonts(pair.blend, t, 2, bytes, lengths), MT_BAD_PARAMETER);
+    mt_assert_ok(mt_blend_set_heights(pair.blend, far, 2));
+    assert_int_equal(mt_blend_fonts(pair.blend, t, 2, bytes, lengths), MT_BAD_PARAMETER);
+    mt_assert_ok(mt_blend_set_heights(pair.blend, NULL, 0));
+    assert_true(length_of(pair.blend, t, 2) > 0);
+    close_pair(&pair);
+}
+
+static void places_are_of_glyphs_each_once(void **state) {
+    (void)state;
+    const double t[] = {0.3, 0.6}, far[] = {0.3, 2.5};
+    font_pair pair = open_pair(1);
+    const uint32_t n = mt_font_glyph(pair.a, 'n'), o = mt_font_glyph(pair.a, 'o');
+    const uint32_t good[] = {n, o}, twice[] = {o, o}, none[] = {n, 60000}, text[] = {'n', 'o'};
+    uint8_t *bytes;
+    size_t length;
+    assert_int_equal(mt_blend_set_places(pair.blend, twice, t, NULL, 2), MT_BAD_PARAMETER);
+    assert_int_equal(mt_blend_set_places(pair.blend, none, t, NULL, 2), MT_BAD_PARAMETER);
+    mt_assert_ok(mt_blend_set_chars(pair.blend, text, 2));
+    mt_assert_ok(mt_blend_set_places(pair.blend, good, t, far, 2));
+    assert_int_equal(mt_blend_font(pair.blend, 0.5, &bytes, &length), MT_BAD_PARAMETER);
+    mt_assert_ok(mt_blend_set_places(pair.blend, good, t, NULL, 2));
+    assert_true(length_of(pair.blend, t, 2) > 0);
+    close_pair(&pair);
+}
+
 /* ---- work that is stopped -------------------------------------------------------------------------------- */
 
 /* Stops the work at a call of the progress, and counts those that come later. */
@@ -480,6 +531,8 @@ int main(void) {
         cmocka_unit_test(a_font_s_glyphs_are_its_own),
         cmocka_unit_test(glyphs_that_cannot_be_drawn),
         cmocka_unit_test(a_glyph_by_its_number_is_its_character_s),
+        cmocka_unit_test(heights_are_for_as_many_fonts),
+        cmocka_unit_test(places_are_of_glyphs_each_once),
         cmocka_unit_test(stopped_work_leaves_nothing),
         cmocka_unit_test(work_goes_on_as_if_never_stopped),
         cmocka_unit_test(variable_fonts_stop_too),

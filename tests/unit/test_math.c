@@ -94,7 +94,8 @@ static mt_status blend(mt_font *a, mt_font *b, const mt_places *places, mt_arena
 
 /* The table of a blend at t, read. */
 static mt_math_table blend_of(mt_bytes in_a, int units_a, mt_bytes in_b, int units_b, double t) {
-    const mt_places places = {2, 1, &t, NULL};
+    const mt_font_at place = mt_font_at_t(t);
+    const mt_places places = mt_places_of_one(&place, 2);
     mt_bytes bytes;
     mt_font *a = font_with("a.ttf", units_a, in_a), *b = font_with("b.ttf", units_b, in_b);
     mt_assert_ok(blend(a, b, &places, &arena, &bytes));
@@ -209,7 +210,7 @@ static void the_first_stands_for_what_is_not_there(void **state) {
 /* Request `first` fails, and with `all_after` all later ones. Whether there was such a request. */
 static bool run_failing(long first, bool all_after) {
     mt_font *a, *b;
-    double at[MT_STOPS_MAX];
+    mt_at at[MT_STOPS_MAX];
     mt_arena made = {0};
     mt_bytes bytes;
     char *path_a = mt_sample_path(&arena, directory, "a.ttf"),

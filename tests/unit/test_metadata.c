@@ -43,8 +43,8 @@ static void assert_near(double value, double expected) {
 static mt_font_data blended(const mt_font_data *a, const mt_font_data *b, double t, const char *family) {
     mt_font *in_a = open_as("a.ttf", a), *in_b = open_as("b.ttf", b);
     mt_font_data data = {.units = mt_metadata_units(in_a, in_b)};
-    mt_metadata_fill(in_a, in_b, t, &data);
-    mt_assert_ok(mt_metadata_names(in_a, in_b, t, family, &arena, &data));
+    mt_metadata_fill(in_a, in_b, mt_at_both(t), &data);
+    mt_assert_ok(mt_metadata_names(in_a, in_b, mt_at_both(t), family, &arena, &data));
     assert_true(font_count + 2 <= FONTS_MAX);
     fonts[font_count++] = in_a; /* some of the texts are theirs */
     fonts[font_count++] = in_b;

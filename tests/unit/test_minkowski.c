@@ -13,8 +13,8 @@ static int tear_down(void **state) {
     return 0;
 }
 
-static const mt_weights all_a = {MT_WEIGHT_ONE, 0}, all_b = {0, MT_WEIGHT_ONE};
-static const mt_weights half = {MT_WEIGHT_ONE / 2, MT_WEIGHT_ONE / 2};
+static const mt_weights all_a = {MT_WEIGHT_ONE, 0, 0}, all_b = {0, MT_WEIGHT_ONE, 0};
+static const mt_weights half = {MT_WEIGHT_ONE / 2, MT_WEIGHT_ONE / 2, 0};
 
 static mt_ring sum_of(const mt_ring *p, const mt_ring *q, mt_weights weights) {
     mt_ring sum = mt_test_ring(&arena, p->count + q->count);
@@ -103,6 +103,44 @@ static void ends(void **state) {
     }
 }
 
+/* Whether a point is to the left of all edges, but for what two rounded corners may be off. */
+static bool is_inside(const mt_ring *ring, mt_point point) {
+    for (int i = 0; i < ring->count; i++) {
+        mt_point a = ring->points[i], b = ring->points[(i + 1) % ring->count];
+        double length = hypot(b.x - a.x, b.y - a.y);
+        if ((double)mt_orient(a, b, point) < -2 * length - 2) return false;
+    }
+    return true;
+}
+
+/* With other weights upwards than across the sum is the hull of all weighted corners, in both directions, at its ends too. */
+static void directions(void **state) {
+    (void)state;
+    for (int i = 0; i < mt_test_cases(300); i++) {
+        mt_random random = mt_random_case(i);
+        mt_ring p = mt_random_polygon(&random, &arena, MT_POLYGON_CONVEX, 20, MT_EM).rings[0];
+        mt_ring q = mt_random_polygon(&random, &arena, MT_POLYGON_CONVEX, 9, MT_EM).rings[0];
+        mt_at at = {mt_random_one_in(&random, 5) ? i % 2 : mt_random_unit(&random),
+                    mt_random_one_in(&random, 5) ? i % 2 : mt_random_unit(&random)};
+        mt_weights weights = mt_weights_of(at);
+        mt_ring sum = sum_of(&p, &q, weights);
+        assert_true(mt_ring_area2(&sum) > 0);
+        for (int k = 0; k < p.count; k++)
+            for (int l = 0; l < q.count; l++)
+                assert_true(is_inside(&sum, mt_mix(weights, p.points[k], q.points[l])));
+        mt_arena_reset(&arena);
+    }
+}
+
+static void directions_are_apart(void **state) {
+    (void)state;
+    mt_ring p = box(0, 0, 100, 40), q = box(20, 30, 40, 130),
+            sum = sum_of(&p, &q, mt_weights_of((mt_at){0.25, 0.75}));
+    mt_box around = mt_ring_box(&sum);
+    assert_true(around.min.x == 5 && around.max.x == 85);
+    assert_true(around.min.y == 23 && around.max.y == 108); /* 22.5 and 107.5, halves up */
+}
+
 /* Where one of the two corners is smooth the sum is smooth; at the ends only that end's own marks count; a
  * line with a chord along it is a line. */
 static void marks(void **state) {
@@ -142,9 +180,15 @@ static void marks_of_edges(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(weights_add_up), cmocka_unit_test(mixes), cmocka_unit_test(boxes),
-        cmocka_unit_test(octagon),        cmocka_unit_test(ends),  cmocka_unit_test(marks),
+        cmocka_unit_test(weights_add_up),
+        cmocka_unit_test(mixes),
+        cmocka_unit_test(boxes),
+        cmocka_unit_test(octagon),
+        cmocka_unit_test(ends),
+        cmocka_unit_test(marks),
         cmocka_unit_test(marks_of_edges),
+        cmocka_unit_test(directions),
+        cmocka_unit_test(directions_are_apart),
     };
     return cmocka_run_group_tests(tests, NULL, tear_down);
 }

@@ -87,7 +87,7 @@ static void sums(void **state) {
     mt_shape frame = mt_test_shape_of(&arena, mt_corpus_find(&corpus, "frame"));
     mt_rings dot = mt_test_moved(&arena, mt_corpus_find(&corpus, "smallest"), 10, (mt_point){0, 0});
     mt_shape small = mt_test_shape_of(&arena, &dot);
-    mt_weights half = {MT_WEIGHT_ONE / 2, MT_WEIGHT_ONE / 2};
+    mt_weights half = {MT_WEIGHT_ONE / 2, MT_WEIGHT_ONE / 2, 0};
     assert_true(mt_sums_distance(&frame, &small, half, (mt_point){2, 2}) == 0);
     assert_true(mt_sums_distance(&frame, &small, half, (mt_point){54, 2}) == 0);
     assert_true(mt_sums_distance(&frame, &small, half, (mt_point){20, 20}) == 5);

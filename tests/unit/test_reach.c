@@ -132,6 +132,54 @@ static void a_blank_goes_all_the_way(void **state) {
     assert_true(reach.from == -1 && reach.to == 2);
 }
 
+/* ---- aside ----------------------------------------------------------------------------------------------- */
+
+static mt_at aside(const mt_morph *morph, double from, mt_at aim) {
+    mt_params params = mt_params_default();
+    mt_at reach;
+    mt_assert_ok(mt_morph_aside(morph, from, aim, &params, &arena, &reach));
+    return reach;
+}
+
+/* A square of 100 that goes up the side of another one: from the right of it at T = 0 to above it at T = 1. On the diagonal they are apart;
+ * early across and late upwards it would lie over the other. */
+static mt_morph going_around(void) {
+    mt_ring in_a[] = {mt_test_square(&arena, 0, 0), mt_test_square(&arena, 250, 0)},
+            in_b[] = {mt_test_square(&arena, 0, 0), mt_test_square(&arena, 0, 250)};
+    return mt_test_morph_of(&arena, in_a, in_b, 2);
+}
+
+static void what_would_meet_stays_near_the_diagonal(void **state) {
+    (void)state;
+    mt_morph morph = going_around();
+    mt_at reach = aside(&morph, 0.5, (mt_at){1, 0});
+    /* x = 250 (1 - tx) and y = 250 ty, 125 each at the middle: they touch at 100, tx = .6 and ty = .4. */
+    assert_true(reach.x < 0.6 && reach.x > 0.58);
+    assert_true(fabs(reach.x + reach.y - 1) < 1e-9);
+    reach = aside(&morph, 0.5, (mt_at){0, 1});
+    assert_true(reach.x == 0 && reach.y == 1);
+}
+
+static void what_holds_goes_all_the_way_aside(void **state) {
+    (void)state;
+    mt_morph morph = nearing(400, 380);
+    mt_at reach = aside(&morph, 0.6, (mt_at){0.3, 0.9});
+    assert_true(reach.x == 0.3 && reach.y == 0.9);
+    reach = aside(&morph, 1.2, (mt_at){1.5, 0.9});
+    assert_true(reach.x == 1.5 && reach.y == 0.9);
+}
+
+static void links_stay_within_aside(void **state) {
+    (void)state;
+    mt_morph morph = nearing(400, 380);
+    mt_ring piece = mt_test_square(&arena, 0, 400);
+    mt_link link = {0, 0};
+    morph.links = (mt_links){1, &link};
+    morph.a.pieces = morph.b.pieces = (mt_pieces){1, &piece};
+    mt_at reach = aside(&morph, 1, (mt_at){1.5, 0.9});
+    assert_true(reach.x == 1 && reach.y == 0.9);
+}
+
 /* ---- letters --------------------------------------------------------------------------------------------- */
 
 /* All places of the reach hold, and where it ends before the last one, places soon past it do not. */
@@ -170,6 +218,9 @@ int main(void) {
         cmocka_unit_test(a_hole_does_not_close),
         cmocka_unit_test(links_end_at_the_ends),
         cmocka_unit_test(a_blank_goes_all_the_way),
+        cmocka_unit_test(what_would_meet_stays_near_the_diagonal),
+        cmocka_unit_test(what_holds_goes_all_the_way_aside),
+        cmocka_unit_test(links_stay_within_aside),
         cmocka_unit_test(letters_agree_with_every_place),
     };
     return cmocka_run_group_tests(tests, NULL, tear_down);

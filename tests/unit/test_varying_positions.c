@@ -117,7 +117,7 @@ static hb_font_t *static_font(const mt_varied *axis, double t, size_t *size) {
     mt_positions *positions = axis->positions;
     if (t < 1)
         mt_assert_ok(mt_test_positions(axis->fonts, axis->charsets, 2, axis->units, &arena, &positions));
-    mt_assert_ok(mt_positions_write(positions, t, &arena, &gpos));
+    mt_assert_ok(mt_positions_write(positions, mt_font_at_t(t), &arena, &gpos));
     *size = gpos.length;
     return font_of(axis, gpos, axis->gdef, (mt_test_varying){0});
 }

@@ -20,7 +20,7 @@
 
 enum { STOPS = 3 };
 
-static const double stops[STOPS] = {0, 1, 2};
+static const mt_at stops[STOPS] = {{0, 0}, {1, 1}, {2, 2}};
 
 static mt_arena arena;
 static mt_var_store store;
@@ -40,7 +40,7 @@ static int tear_down(void **state) {
 }
 
 static mt_places all_stops(void) {
-    return (mt_places){STOPS, STOPS, stops, &store};
+    return (mt_places){STOPS, STOPS, stops, NULL, &store};
 }
 
 static void *new_list(int count, size_t size) {

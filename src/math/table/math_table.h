@@ -6,9 +6,13 @@
 
 /* The constants in the order of the MathConstants table. */
 enum {
-    MT_MATH_PERCENTS = 2,      /* so many come first: scale of scripts and of their scripts, in percent */
-    MT_MATH_HEIGHTS = 2,       /* then least heights, without variations */
-    MT_MATH_FIRST_VALUE = 4,   /* then what may vary */
+    MT_MATH_PERCENTS = 2,    /* so many come first: scale of scripts and of their scripts, in percent */
+    MT_MATH_HEIGHTS = 2,     /* then least heights, without variations */
+    MT_MATH_FIRST_VALUE = 4, /* then what may vary */
+    MT_MATH_SPACE_AFTER_SCRIPT = 17, /* these, unlike the others, are widths */
+    MT_MATH_SKEWED_FRACTION_GAP = 41,
+    MT_MATH_KERN_BEFORE_DEGREE = 53,
+    MT_MATH_KERN_AFTER_DEGREE = 54,
     MT_MATH_LAST_PERCENT = 55, /* how far a root's degree is raised, in percent of the root */
     MT_MATH_CONSTANTS = 56,
 };

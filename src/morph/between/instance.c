@@ -1,4 +1,4 @@
-/* Section 2.3: the blend C(r) by formula (4), and C_int(r) by formula (5), at one pair of weights.
+/* Section 2.3: the blend C(r) by formula (4), and C_int(r) by formula (5), at one pair of weights, or at one across and another upwards.
  *
  *     joined components   contour pairs mixed point by point, displaced ───┐
  *     links               rAᵢ ⊕ (1 − r)Bⱼ ── union ── curves fitted ───────┴─ do they overlap? ── union of all, fitted
@@ -117,9 +117,9 @@ mt_status mt_morph_outline(const mt_morph *morph, mt_weights weights, const mt_p
     mt_outline made;
     mt_status status;
     /* Theorem 1: at its ends the blend is A, and B, with the cuts closed along which a component was divided. */
-    if (weights.b == 0)
+    if (weights.b == 0 && weights.up == 0)
         status = mt_shape_outline(&morph->a.whole, params, arena, &made);
-    else if (weights.a == 0)
+    else if (weights.a == 0 && weights.up == 0)
         status = mt_shape_outline(&morph->b.whole, params, arena, &made);
     else
         status = outline_between(morph, weights, params, arena, &made);

@@ -265,12 +265,17 @@ mt_status mt_contour_pair_fit(const mt_ring_samples *a, const mt_ring_samples *b
     return status;
 }
 
-/* The contour's displacement at these weights; none past the ends. */
+/* How much of a displacement there is at weights of a and b; none past the ends. */
+static int32_t displaced_by(int32_t a, int32_t b) {
+    int32_t nearer = a < b ? a : b;
+    return nearer > 0 ? 2 * nearer : 0;
+}
+
 static mt_point displacement_at(const mt_contour_pair *masters, mt_weights weights) {
-    int32_t nearer = weights.a < weights.b ? weights.a : weights.b;
-    mt_weights share = {0, nearer > 0 ? 2 * nearer : 0};
-    share.a = MT_WEIGHT_ONE - share.b;
-    return mt_mix(share, (mt_point){0, 0}, masters->displacement);
+    int32_t across = displaced_by(weights.a, weights.b),
+            up = displaced_by(weights.a - weights.up, weights.b + weights.up);
+    return mt_mix((mt_weights){MT_WEIGHT_ONE - across, across, up - across}, (mt_point){0, 0},
+                  masters->displacement);
 }
 
 static mt_point moved(mt_point p, mt_point by) {
