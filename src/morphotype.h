@@ -32,7 +32,7 @@ extern "C" {
 #define MT_API
 #endif
 
-#define MORPHOTYPE_VERSION "0.1.0"
+#define MORPHOTYPE_VERSION "0.2.0"
 
 /* The version of the library that runs, which is MORPHOTYPE_VERSION of the header that it was built with. */
 MT_API const char *mt_version(void);
