@@ -88,7 +88,7 @@ void mt_pack_double(mt_packing *packing, double *value) {
     uint8_t bytes[sizeof bits];
     memcpy(&bits, value, sizeof bits);
     for (size_t i = 0; i < sizeof bits; i++)
-        bytes[i] = packing->out ? (uint8_t)(bits >> (8 * i)) : read_byte(packing);
+        bytes[i] = (uint8_t)(packing->out ? bits >> (8 * i) : read_byte(packing));
     if (packing->out) {
         write_bytes(packing, bytes, sizeof bytes);
         return;
