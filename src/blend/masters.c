@@ -116,7 +116,7 @@ static mt_status make_master(const mt_making *making, mt_between between, const 
     mt_font *const *fonts = making->row->fonts + between.first;
     *master = *font;
     master->variation = NULL;
-    master->extra_count = 0;
+    master->layout_place = mt_axis_goes_down(&font->variation->axis) ? -place : place;
     mt_metadata_fill(fonts[0], fonts[1], mt_at_both(between.t), master);
     mt_status status = name_place(font->variation, place, arena, master);
     if (status == MT_OK) status = glyphs_at(font, place, arena, &master->glyphs);

@@ -63,12 +63,25 @@ static void put_variants(const mt_font_data *data, const mt_ufo_glyphs *glyphs, 
     mt_xml_close(xml);
 }
 
+/* What the font calls those glyphs that have other names here. */
+static void put_old_names(const mt_font_data *data, const mt_ufo_glyphs *glyphs, mt_xml *xml) {
+    bool any = false;
+    for (int i = 0; i < data->glyph_count && glyphs->old_names; i++) {
+        if (strcmp(glyphs->names[i], glyphs->old_names[i]) == 0) continue;
+        if (!any) mt_plist_group(xml, "public.postscriptNames", "dict");
+        any = true;
+        mt_plist_string(xml, glyphs->names[i], glyphs->old_names[i]);
+    }
+    if (any) mt_xml_close(xml);
+}
+
 static mt_status write_lib(const mt_font_data *data, const mt_ufo_glyphs *glyphs, mt_folder *folder) {
     mt_xml xml = mt_xml_begin();
     mt_plist_open(&xml, "dict");
     mt_plist_group(&xml, "public.glyphOrder", "array");
     for (int i = 0; i < data->glyph_count; i++) mt_plist_string(&xml, NULL, glyphs->names[i]);
     mt_xml_close(&xml);
+    put_old_names(data, glyphs, &xml);
     if (data->variant_count) put_variants(data, glyphs, &xml);
     mt_plist_close(&xml);
     return save(folder, "lib.plist", &xml);
@@ -100,23 +113,23 @@ static mt_status write_contents(const mt_ufo_glyphs *glyphs, const char *const *
     return save(folder, "glyphs/contents.plist", &xml);
 }
 
-static mt_status write_glyph(const mt_font_data *data, const mt_ufo_glyphs *glyphs, int glyph,
-                             const char *file, mt_folder *folder) {
+static mt_status write_glyph(const mt_font_data *data, const mt_ufo_glyphs *glyphs, const mt_fea *fea,
+                             int glyph, const char *file, mt_folder *folder) {
     char name[512];
     mt_xml xml = mt_xml_begin();
-    mt_ufo_glif(data, glyphs, glyph, &xml);
+    mt_ufo_glif(data, glyphs, fea, glyph, &xml);
     snprintf(name, sizeof name, "glyphs/%s", file);
     return save(folder, name, &xml);
 }
 
-static mt_status write_glyphs(const mt_font_data *data, const mt_ufo_glyphs *glyphs, mt_arena *arena,
-                              mt_folder *folder) {
+static mt_status write_glyphs(const mt_font_data *data, const mt_ufo_glyphs *glyphs, const mt_fea *fea,
+                              mt_arena *arena, mt_folder *folder) {
     const char **files;
     mt_status status = mt_folder_add_folder(folder, "glyphs");
     if (status == MT_OK) status = mt_ufo_file_names(glyphs->names, data->glyph_count, arena, &files);
     if (status == MT_OK) status = write_contents(glyphs, files, data->glyph_count, folder);
     for (int i = 0; i < data->glyph_count && status == MT_OK; i++)
-        status = write_glyph(data, glyphs, i, files[i], folder);
+        status = write_glyph(data, glyphs, fea, i, files[i], folder);
     return status;
 }
 
@@ -131,6 +144,7 @@ static mt_status check(const mt_font_data *data, mt_arena *arena) {
 mt_status mt_ufo_write(const mt_font_data *data, mt_folder *folder) {
     mt_arena arena = {0};
     mt_ufo_glyphs glyphs;
+    mt_fea fea = {0};
     mt_status status = check(data, &arena);
     if (status == MT_OK) status = mt_ufo_glyphs_make(data, &arena, &glyphs);
     if (status == MT_OK) status = write_meta(folder);
@@ -138,7 +152,11 @@ mt_status mt_ufo_write(const mt_font_data *data, mt_folder *folder) {
     if (status == MT_OK) status = write_layers(folder);
     if (status == MT_OK) status = write_lib(data, &glyphs, folder);
     if (status == MT_OK) status = write_kerning(data->kerning, &glyphs, &arena, folder);
-    if (status == MT_OK) status = write_glyphs(data, &glyphs, &arena, folder);
+    if (status == MT_OK) status = mt_ufo_features(data, &glyphs, &arena, &fea);
+    if (status == MT_OK && fea.text.length)
+        status = mt_folder_add_file(folder, "features.fea", fea.text.bytes, fea.text.length);
+    if (status == MT_OK) status = write_glyphs(data, &glyphs, &fea, &arena, folder);
+    mt_buffer_free(&fea.text);
     mt_arena_release(&arena);
     return status;
 }

@@ -93,6 +93,25 @@ static void write_outline(const mt_glyf *glyf, const mt_ufo_glyphs *glyphs, mt_c
     mt_xml_close(xml);
 }
 
+/* Those of the glyph stand one after another. */
+static void write_anchors(const mt_fea *fea, int glyph, mt_xml *xml) {
+    int low = 0, high = fea->anchor_count;
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+        if (fea->anchors[middle].glyph < glyph)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    for (int i = low; i < fea->anchor_count && fea->anchors[i].glyph == glyph; i++) {
+        mt_xml_open(xml, "anchor");
+        mt_xml_number(xml, "x", fea->anchors[i].x);
+        mt_xml_number(xml, "y", fea->anchors[i].y);
+        mt_xml_attribute(xml, "name", fea->anchors[i].name);
+        mt_xml_close(xml);
+    }
+}
+
 static void write_origin(int origin, mt_xml *xml) {
     mt_xml_open(xml, "lib");
     mt_xml_open(xml, "dict");
@@ -101,7 +120,8 @@ static void write_origin(int origin, mt_xml *xml) {
     mt_xml_close(xml);
 }
 
-void mt_ufo_glif(const mt_font_data *data, const mt_ufo_glyphs *glyphs, int glyph, mt_xml *xml) {
+void mt_ufo_glif(const mt_font_data *data, const mt_ufo_glyphs *glyphs, const mt_fea *fea, int glyph,
+                 mt_xml *xml) {
     const mt_glyf *glyf = &data->glyphs[glyph];
     mt_xml_open(xml, "glyph");
     mt_xml_attribute(xml, "name", glyphs->names[glyph]);
@@ -111,6 +131,7 @@ void mt_ufo_glif(const mt_font_data *data, const mt_ufo_glyphs *glyphs, int glyp
     if (data->metrics.vertical) mt_xml_number(xml, "height", glyf->height);
     mt_xml_close(xml);
     write_code_points(glyphs, glyph, xml);
+    write_anchors(fea, glyph, xml);
     write_outline(glyf, glyphs, data->curves, xml);
     if (data->metrics.vertical) write_origin(glyf->origin, xml);
     mt_xml_close(xml);

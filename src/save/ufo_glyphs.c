@@ -1,5 +1,6 @@
 /* The code points and the names of a UFO's glyphs. */
 #include <stdio.h>
+#include <string.h>
 
 #include "save/ufo_parts.h"
 
@@ -34,6 +35,48 @@ static mt_status make_name(const mt_ufo_glyphs *glyphs, int glyph, mt_arena *are
     return MT_OK;
 }
 
+/* ---- plain names ------------------------------------------------------------------------------------------- */
+
+/* A byte that feature files have in names too. */
+static bool is_plain(char byte, bool first) {
+    bool letter = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '.' || byte == '_';
+    return letter || (!first && byte >= '0' && byte <= '9');
+}
+
+static bool is_plain_name(const char *name) {
+    for (const char *p = name; *p; p++)
+        if (!is_plain(*p, p == name)) return false;
+    return *name != '\0';
+}
+
+static bool is_used(const mt_ufo_glyphs *glyphs, int count, const char *name) {
+    for (int i = 0; i < count; i++)
+        if (glyphs->names[i] && strcmp(glyphs->names[i], name) == 0) return true;
+    return false;
+}
+
+/* The name with an underscore for what is not plain and, where another glyph is called so, a number behind. */
+static mt_status make_plain(const mt_ufo_glyphs *glyphs, int count, int glyph, mt_arena *arena) {
+    const char *name = glyphs->names[glyph];
+    size_t length = strlen(name), start = length && is_plain(name[0], true) ? 0 : 1, room = length + 16;
+    char *text = mt_arena_new(arena, room, 1);
+    if (!text) return MT_NO_MEMORY;
+    text[0] = '_';
+    for (size_t i = 0; i < length; i++) text[start + i] = is_plain(name[i], false) ? name[i] : '_';
+    for (int i = 2; is_used(glyphs, count, text); i++)
+        snprintf(text + start + length, room - start - length, ".%d", i);
+    glyphs->names[glyph] = text;
+    return MT_OK;
+}
+
+static mt_status make_all_plain(const mt_font_data *data, mt_arena *arena, mt_ufo_glyphs *glyphs) {
+    mt_status status = MT_OK;
+    glyphs->old_names = data->glyph_names;
+    for (int i = 0; i < data->glyph_count && status == MT_OK; i++)
+        if (!is_plain_name(glyphs->names[i])) status = make_plain(glyphs, data->glyph_count, i, arena);
+    return status;
+}
+
 mt_status mt_ufo_glyphs_make(const mt_font_data *data, mt_arena *arena, mt_ufo_glyphs *glyphs) {
     mt_ufo_glyphs made = {.names = mt_arena_new(arena, (size_t)data->glyph_count, sizeof *made.names)};
     if (!made.names) return MT_NO_MEMORY;
@@ -44,6 +87,7 @@ mt_status mt_ufo_glyphs_make(const mt_font_data *data, mt_arena *arena, mt_ufo_g
         else
             status = make_name(&made, i, arena, &made.names[i]);
     }
+    if (status == MT_OK) status = make_all_plain(data, arena, &made);
     if (status == MT_OK) *glyphs = made;
     return status;
 }

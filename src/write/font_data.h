@@ -74,6 +74,7 @@ typedef struct mt_font_data {
     const mt_axis_data *variation;    /* NULL: the font does not vary */
     const struct mt_kerning *kerning; /* for a UFO, which has no GPOS; NULL: none */
     mt_curves curves;                 /* of a UFO's outlines */
+    int layout_place; /* on the axis of the tables made elsewhere, where these vary and the font does not */
     int extra_count;
     mt_extra_table extras[MT_EXTRA_TABLES_MAX]; /* none of a tag that is written here, none empty */
     /* UTF-8; NULL ones are left out. The first three are required. */
