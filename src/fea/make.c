@@ -37,7 +37,16 @@ static void write_all(mt_fea_writer *writer) {
     mt_fea_features(writer, &gpos);
 }
 
+/* What the text has not, in its first line. */
+static void tell_unsaid(mt_fea_writer *writer, mt_buffer *text) {
+    if (writer->fea->unsaid > 0)
+        mt_fea_print(writer, text,
+                     "# Left out, since features.fea has no words for them: %d rules, lookups or features\n",
+                     writer->fea->unsaid);
+}
+
 static void join(mt_fea_writer *writer, mt_buffer *text) {
+    tell_unsaid(writer, text);
     const mt_buffer *const parts[] = {&writer->systems, &writer->classes, &writer->lookups,
                                       &writer->features};
     for (int i = 0; i < 4 && writer->status == MT_OK; i++)

@@ -185,6 +185,17 @@ class Names(cli.Test):
         for word in ('A', 'CE', 'EAE', 'F', 'EC', 'FE', 'BD'):
             self.assertEqual(shape(self.path('made.ttf'), word), shape(self.path('x.ttf'), word), word)
 
+    def test_what_text_has_no_words_for_is_counted(self):
+        """A feature's tag with a space in front, as old fonts have it for what is always applied."""
+        for file in ('a.ttf', 'b.ttf'):
+            self.font(file, 'feature ccmp { sub plain by other; } ccmp;', ['plain', 'other'])
+            with ttLib.TTFont(self.path(file), lazy=False) as font:
+                font['GSUB'].table.FeatureList.FeatureRecord[0].FeatureTag = ' RQD'
+                font.save(self.path(file))
+        self.assertEqual(self.made('blend', 'a.ttf', 'b.ttf', '-q', '-o', 'x.ufo'), [])
+        text = self.directory.joinpath('x.ufo', 'features.fea').read_text()
+        self.assertRegex(text.splitlines()[0], '^# Left out, .*: 1 rules, lookups or features$')
+
 
 if __name__ == '__main__':
     unittest.main()
