@@ -24,10 +24,11 @@ def digest(text):
     return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
 
 
-def policy(style, script):
-    rules = ("default-src 'none'", f'style-src {digest(style)}', f'script-src {digest(script)}', 'font-src data:',
-             'img-src data:', "base-uri 'none'", "form-action 'none'", "require-trusted-types-for 'script'")
-    return '; '.join(rules)
+def policy(styles, scripts, *others):
+    """Lets in these styles and scripts, and what the other rules say."""
+    rules = ("default-src 'none'", ' '.join(['style-src', *map(digest, styles)]), ' '.join(['script-src', *map(digest, scripts)]),
+             'font-src data:', 'img-src data:', "base-uri 'none'", "form-action 'none'", "require-trusted-types-for 'script'")
+    return '; '.join((*rules, *others))
 
 
 def check(name, text, end):
@@ -67,13 +68,20 @@ def source(name, parts):
             f'extern const mt_page_part {name}[];\nconst mt_page_part {name}[] = {{\n' + rows + '};\n')
 
 
-def main():
-    out, name, page, head, *files = sys.argv[1:]
+def join(files):
+    """All styles as one, and all scripts."""
     style, script = (''.join(read(file) for file in files if file.endswith(end)) for end in ('.css', '.js'))
     check('the style', style, '</style')
     check('the script', script, '</script')
-    page = fill(read(page), {'head': read(head), 'policy': policy(style, script), 'style': style, 'script': script})
+    return style, script
+
+
+def main():
+    out, name, page, head, *files = sys.argv[1:]
+    style, script = join(files)
+    page = fill(read(page), {'head': read(head), 'policy': policy([style], [script]), 'style': style, 'script': script})
     pathlib.Path(out).write_text(source(name, cut(page)), encoding='utf-8')
 
 
-main()
+if __name__ == '__main__':
+    main()

@@ -88,8 +88,19 @@ static bool exchange_in_steps(const char *fresh, const char *path) {
     return done;
 }
 
+/* Fails with errno, ENOSYS where there is no such call: in a browser. */
+static bool exchange_at_once(const char *fresh, const char *path) {
+#ifdef RENAME_EXCHANGE
+    return renameat2(AT_FDCWD, fresh, AT_FDCWD, path, RENAME_EXCHANGE) == 0;
+#else
+    (void)fresh, (void)path;
+    errno = ENOSYS;
+    return false;
+#endif
+}
+
 static bool exchange(const char *fresh, const char *path) {
-    if (renameat2(AT_FDCWD, fresh, AT_FDCWD, path, RENAME_EXCHANGE) == 0) return true;
+    if (exchange_at_once(fresh, path)) return true;
     bool cannot = errno == EINVAL || errno == ENOSYS || errno == EOPNOTSUPP;
     return cannot && exchange_in_steps(fresh, path);
 }

@@ -9,6 +9,7 @@
 #include "specimen/page.h"
 #include "write/write.h"
 
+#include <errno.h>
 #include <string.h>
 #include <strings.h>
 
@@ -77,11 +78,35 @@ static mt_status make_font(mt_specimen_state *making) {
     return mt_specimen_font_read(making->font, making->font_length, &making->arena, &making->specimen.font);
 }
 
-static void end(mt_specimen_state *making) {
-    mt_report_figures_free(&making->specimen.figures);
-    mt_bytes_free(making->packed);
-    mt_bytes_free(making->font);
-    mt_arena_release(&making->arena);
+/* Hands the font over, with the page that shows it. */
+static mt_status hand_over(mt_specimen_state *making, mt_specimen_made *made) {
+    mt_specimen_made all = {.font = making->font,
+                            .font_length = making->font_length,
+                            .packed = making->packed,
+                            .packed_length = making->specimen.packed_length};
+    mt_status status = mt_specimen_html(&making->specimen, &all.page);
+    if (status != MT_OK) return status;
+    making->font = making->packed = NULL;
+    *made = all;
+    return MT_OK;
+}
+
+mt_status mt_specimen_make(const mt_specimen_request *request, mt_specimen_made *made) {
+    mt_specimen_state making = {.specimen = {.request = request}};
+    mt_status status = make_font(&making);
+    if (status == MT_OK) status = hand_over(&making, made);
+    mt_report_figures_free(&making.specimen.figures);
+    mt_bytes_free(making.packed);
+    mt_bytes_free(making.font);
+    mt_arena_release(&making.arena);
+    return status;
+}
+
+void mt_specimen_made_free(mt_specimen_made *made) {
+    mt_bytes_free(made->font);
+    mt_bytes_free(made->packed);
+    mt_buffer_free(&made->page);
+    *made = (mt_specimen_made){0};
 }
 
 /* ---- the file ------------------------------------------------------------------------------------------ */
@@ -91,19 +116,13 @@ bool mt_specimen_is_page(const char *path) {
     return dot && strcasecmp(dot, ".html") == 0;
 }
 
-static mt_status write_page(const mt_specimen *specimen, const char *path) {
-    mt_buffer text;
-    mt_status status = mt_specimen_html(specimen, &text);
-    if (status != MT_OK) return status;
-    status = mt_file_write(path, text.bytes, text.length);
-    mt_buffer_free(&text);
-    return status;
-}
-
 mt_status mt_specimen_save(const mt_specimen_request *request, const char *path) {
-    mt_specimen_state making = {.specimen = {.request = request}};
-    mt_status status = make_font(&making);
-    if (status == MT_OK) status = write_page(&making.specimen, path);
-    end(&making);
+    mt_specimen_made made;
+    mt_status status = mt_specimen_make(request, &made);
+    if (status != MT_OK) return status;
+    status = mt_file_write(path, made.page.bytes, made.page.length);
+    int why = errno;
+    mt_specimen_made_free(&made);
+    errno = why;
     return status;
 }

@@ -40,5 +40,18 @@ mt_status mt_specimen_data(const mt_specimen *specimen, mt_buffer *text);
 /* The page in a buffer of the caller's. MT_NO_MEMORY. */
 mt_status mt_specimen_html(const mt_specimen *specimen, mt_buffer *text);
 
+/* A specimen with the font that is in it, in memory. */
+typedef struct mt_specimen_made {
+    uint8_t *font; /* TrueType */
+    size_t font_length;
+    uint8_t *packed; /* the same as WOFF2 */
+    size_t packed_length;
+    mt_buffer page;
+} mt_specimen_made;
+
+/* Makes the font and the page; what mt_specimen_save gives, but for the file. To be given back. */
+mt_status mt_specimen_make(const mt_specimen_request *request, mt_specimen_made *made);
+void mt_specimen_made_free(mt_specimen_made *made);
+
 /* Whether the extension is that of a page, in either case. */
 bool mt_specimen_is_page(const char *path);
