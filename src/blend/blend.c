@@ -25,7 +25,7 @@ static mt_status prepare(mt_row *row, const mt_choice *choice, mt_arena *arena, 
 static mt_status draw_pair(const mt_row *row, const mt_glyph_pair *pair, double t, mt_arena *arena,
                            mt_outline *outline, double *advance) {
     const mt_reach ends = {0, 1};
-    mt_at asked = {t, row->height_count ? row->heights[0] : t}, at;
+    mt_at asked = mt_row_place(row, t, 0), at;
     mt_status status = mt_pair_stand(pair, ends, asked, &row->params, arena, &at);
     if (status == MT_OK)
         status = mt_morph_outline(&pair->morph, mt_weights_of(at), &row->params, arena, outline);

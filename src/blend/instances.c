@@ -45,7 +45,7 @@ static mt_status place_fonts(mt_making *making, mt_instances *fonts) {
     fonts->at = mt_arena_new(&making->arena, (size_t)fonts->count, sizeof *fonts->at);
     mt_status status = fonts->at ? MT_OK : MT_NO_MEMORY;
     for (int i = 0; i < fonts->count && status == MT_OK; i++) {
-        fonts->at[i].at = (mt_at){fonts->t[i], row->height_count ? row->heights[i] : fonts->t[i]};
+        fonts->at[i].at = mt_row_place(row, fonts->t[i], i);
         status = place_glyphs(making, &fonts->at[i]);
     }
     return status;
@@ -57,7 +57,7 @@ static bool are_good(const mt_row *row, const double *t, int count) {
     bool turned = row->params.rotation != MT_ROTATION_NONE;
     if (!mt_row_takes_heights(row, count)) return false;
     for (int i = 0; i < count; i++)
-        if (!is_within((mt_at){t[i], row->height_count ? row->heights[i] : t[i]})) return false;
+        if (!is_within(mt_row_place(row, t[i], i))) return false;
     for (int i = 0; i < own->count; i++) {
         mt_at at = own->list[i].at;
         if (!is_within(at) || (turned && at.x != at.y)) return false;

@@ -148,6 +148,10 @@ int mt_row_units(const mt_row *row) {
     return units;
 }
 
+mt_at mt_row_place(const mt_row *row, double t, int i) {
+    return (mt_at){t, row->height_count ? row->heights[i] : t};
+}
+
 bool mt_row_takes_heights(const mt_row *row, int count) {
     if (row->height_count == 0) return true;
     return row->height_count == count && row->params.rotation == MT_ROTATION_NONE;

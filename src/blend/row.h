@@ -85,6 +85,9 @@ mt_charset_request mt_row_request(const mt_row *row);
 /* The new font's units per em: the most that the blend of two neighbours needs (metadata.h). */
 int mt_row_units(const mt_row *row);
 
+/* Where font number i of those that are made is, whose T across is t. */
+mt_at mt_row_place(const mt_row *row, double t, int i);
+
 /* Whether T upwards that were set, if any were, are for so many fonts, and the row can have them. */
 bool mt_row_takes_heights(const mt_row *row, int count);
 

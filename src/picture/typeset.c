@@ -122,14 +122,13 @@ static mt_status list_firsts(const maker *making, const mt_font_data *data) {
 /* An mt_font_ready. */
 static mt_status keep(const mt_font_data *data, int index, void *user) {
     const maker *making = user;
-    const mt_row *row = &making->blend->row;
     mt_typeset *instance = &making->list[index];
     size_t length;
     mt_status status = index == 0 ? list_firsts(making, data) : MT_OK;
     if (status == MT_OK) status = mt_font_write(data, &instance->bytes, &length);
     if (status != MT_OK) return status;
     instance->firsts = making->list[0].firsts;
-    instance->at = (mt_at){making->at[index], row->height_count ? row->heights[index] : making->at[index]};
+    instance->at = mt_row_place(&making->blend->row, making->at[index], index);
     status = open_bytes(instance, length);
     if (status == MT_OK) read_extents(instance);
     return status;
