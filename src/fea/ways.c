@@ -6,14 +6,15 @@
 
 /* ---- pairs --------------------------------------------------------------------------------------------- */
 
-/* The system that Latin text is set by: latn's, else DFLT's, else the first (gpos/positions.c). */
+/* The system that Latin text is set by, as gpos/positions.c has it; -1 where there is none at all. */
 static int plain_system(const mt_layout *layout) {
-    static const uint32_t scripts[] = {MT_TAG('l', 'a', 't', 'n'), MT_TAG('D', 'F', 'L', 'T')};
-    for (int k = 0; k < 2; k++)
-        for (int i = 0; i < layout->system_count; i++)
-            if (layout->systems[i].script == scripts[k] && layout->systems[i].language == MT_LANGUAGE_DEFAULT)
-                return i;
-    return layout->system_count ? 0 : -1;
+    int best = layout->system_count ? 0 : -1;
+    for (int i = 1; i < layout->system_count; i++) {
+        const mt_system *nearest = &layout->systems[best], *other = &layout->systems[i];
+        if (mt_latin_rank(other->script, other->language) < mt_latin_rank(nearest->script, nearest->language))
+            best = i;
+    }
+    return best;
 }
 
 static void choose_pairs(mt_fea_table *table) {

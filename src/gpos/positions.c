@@ -180,14 +180,15 @@ static mt_status prepare_all_pairs(mt_position_job *job) {
     return status;
 }
 
-/* The system that Latin text is set by: latn's, else DFLT's, else the first. */
+/* The system that Latin text is set by: the first of those that are nearest. */
 static int plain_system(const mt_systems *systems) {
-    static const uint32_t scripts[] = {MT_TAG('l', 'a', 't', 'n'), MT_TAG('D', 'F', 'L', 'T')};
-    for (int k = 0; k < 2; k++)
-        for (int i = 0; i < systems->count; i++)
-            if (systems->list[i].script == scripts[k] && systems->list[i].language == MT_LANGUAGE_DEFAULT)
-                return i;
-    return 0;
+    int best = 0;
+    for (int i = 1; i < systems->count; i++) {
+        const mt_shared_system *nearest = &systems->list[best], *other = &systems->list[i];
+        if (mt_latin_rank(other->script, other->language) < mt_latin_rank(nearest->script, nearest->language))
+            best = i;
+    }
+    return best;
 }
 
 /* Kerning that is too large is left out. */

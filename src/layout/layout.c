@@ -21,6 +21,11 @@ int mt_layout_system(const mt_layout *layout, uint32_t script, uint32_t language
     return -1;
 }
 
+int mt_latin_rank(uint32_t script, uint32_t language) {
+    if (language != MT_LANGUAGE_DEFAULT) return 2;
+    return script == MT_TAG('l', 'a', 't', 'n') ? 0 : script == MT_TAG('D', 'F', 'L', 'T') ? 1 : 2;
+}
+
 /* ---- features ------------------------------------------------------------------------------------------ */
 
 int mt_system_feature(const mt_layout *layout, const mt_system *system, int i) {

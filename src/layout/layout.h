@@ -37,6 +37,9 @@ typedef struct mt_layout {
  * or latn (the language's own before the default in each), as HarfBuzz chooses it; -1 when there is none of these. */
 int mt_layout_system(const mt_layout *layout, uint32_t script, uint32_t language);
 
+/* How near a system is to that which text in Latin is set by: 0 for latn's default, 1 for DFLT's, 2 for all others. */
+int mt_latin_rank(uint32_t script, uint32_t language);
+
 /* The i-th feature of a system is an index into the FeatureList; -1 for an index that is out of range.
  * i == feature_count is the required feature. */
 int mt_system_feature(const mt_layout *layout, const mt_system *system, int i);
