@@ -12,30 +12,20 @@ static void put_anchor(mt_fea_writer *writer, mt_buffer *to, bool has, mt_anchor
 
 /* ---- cursive ------------------------------------------------------------------------------------------- */
 
-static void put_cursive(mt_fea_writer *writer, mt_bytes table, bool *taken) {
-    mt_covered *covered;
-    int count;
-    writer->status = mt_coverage_list(mt_cursive_coverage(table), writer->arena, &covered, &count);
-    for (int i = 0; i < count && writer->status == MT_OK && mt_fea_spend(writer, 1); i++) {
-        int glyph = covered[i].glyph;
-        if (glyph >= writer->source->glyph_count || taken[glyph]) continue;
-        taken[glyph] = true;
-        mt_fea_put(writer, &writer->lookups, "  pos cursive ");
-        mt_fea_glyph(writer, &writer->lookups, glyph);
-        for (int side = 0; side < 2; side++) {
-            mt_anchor_point at = {0};
-            bool has = mt_cursive_anchor(table, covered[i].index, side, &writer->deltas, &at);
-            mt_fea_put(writer, &writer->lookups, " ");
-            put_anchor(writer, &writer->lookups, has, at);
-        }
-        mt_fea_put(writer, &writer->lookups, ";\n");
+static void put_cursive(mt_fea_writer *writer, mt_bytes table, mt_covered covered) {
+    mt_fea_put(writer, &writer->lookups, "  pos cursive ");
+    mt_fea_glyph(writer, &writer->lookups, covered.glyph);
+    for (int side = 0; side < 2; side++) {
+        mt_anchor_point at = {0};
+        bool has = mt_cursive_anchor(table, covered.index, side, &writer->deltas, &at);
+        mt_fea_put(writer, &writer->lookups, " ");
+        put_anchor(writer, &writer->lookups, has, at);
     }
+    mt_fea_put(writer, &writer->lookups, ";\n");
 }
 
 void mt_fea_cursives(mt_fea_writer *writer, const mt_lookup *lookup) {
-    bool *taken = mt_fea_new(writer, (size_t)writer->source->glyph_count, sizeof *taken);
-    for (int i = 0; i < lookup->subtable_count && taken && writer->status == MT_OK; i++)
-        put_cursive(writer, mt_lookup_subtable(lookup, i), taken);
+    mt_fea_each_glyph(writer, lookup, mt_cursive_coverage, put_cursive);
 }
 
 /* ---- marks --------------------------------------------------------------------------------------------- */

@@ -22,29 +22,23 @@ static void put_value_at(mt_fea_writer *writer, mt_bytes table, size_t at, unsig
 
 /* ---- single -------------------------------------------------------------------------------------------- */
 
-static void put_single(mt_fea_writer *writer, mt_bytes table, bool *taken) {
-    mt_covered *covered;
-    int count;
+static mt_bytes single_coverage(mt_bytes table) {
+    unsigned format = mt_ot_u16(table, 0);
+    return format == 1 || format == 2 ? mt_ot_follow(table, 2) : (mt_bytes){0};
+}
+
+static void put_single(mt_fea_writer *writer, mt_bytes table, mt_covered covered) {
     unsigned format = mt_ot_u16(table, 0), value = mt_ot_u16(table, 4);
-    if (format != 1 && format != 2) return;
-    writer->status = mt_coverage_list(mt_ot_follow(table, 2), writer->arena, &covered, &count);
-    for (int i = 0; i < count && writer->status == MT_OK && mt_fea_spend(writer, 1); i++) {
-        int glyph = covered[i].glyph;
-        if (glyph >= writer->source->glyph_count || taken[glyph]) continue;
-        taken[glyph] = true;
-        mt_fea_put(writer, &writer->lookups, "  pos ");
-        mt_fea_glyph(writer, &writer->lookups, glyph);
-        mt_fea_put(writer, &writer->lookups, " ");
-        size_t at = format == 1 ? 6 : 8 + mt_value_size(value) * covered[i].index;
-        put_value_at(writer, table, at, value);
-        mt_fea_put(writer, &writer->lookups, ";\n");
-    }
+    mt_fea_put(writer, &writer->lookups, "  pos ");
+    mt_fea_glyph(writer, &writer->lookups, covered.glyph);
+    mt_fea_put(writer, &writer->lookups, " ");
+    size_t at = format == 1 ? 6 : 8 + mt_value_size(value) * covered.index;
+    put_value_at(writer, table, at, value);
+    mt_fea_put(writer, &writer->lookups, ";\n");
 }
 
 void mt_fea_singles(mt_fea_writer *writer, const mt_lookup *lookup) {
-    bool *taken = mt_fea_new(writer, (size_t)writer->source->glyph_count, sizeof *taken);
-    for (int i = 0; i < lookup->subtable_count && taken && writer->status == MT_OK; i++)
-        put_single(writer, mt_lookup_subtable(lookup, i), taken);
+    mt_fea_each_glyph(writer, lookup, single_coverage, put_single);
 }
 
 /* ---- pairs --------------------------------------------------------------------------------------------- */

@@ -135,3 +135,21 @@ bool mt_fea_coverage_list(mt_fea_writer *writer, mt_bytes coverage, uint16_t **g
         if (covered[i].glyph < writer->source->glyph_count) (*glyphs)[(*count)++] = covered[i].glyph;
     return *glyphs != NULL;
 }
+
+void mt_fea_each_glyph(mt_fea_writer *writer, const mt_lookup *lookup,
+                       mt_bytes (*coverage_of)(mt_bytes table),
+                       void (*put)(mt_fea_writer *writer, mt_bytes table, mt_covered covered)) {
+    bool *taken = mt_fea_new(writer, (size_t)writer->source->glyph_count, sizeof *taken);
+    for (int i = 0; i < lookup->subtable_count && taken && writer->status == MT_OK; i++) {
+        mt_covered *covered;
+        int count;
+        mt_bytes table = mt_lookup_subtable(lookup, i);
+        writer->status = mt_coverage_list(coverage_of(table), writer->arena, &covered, &count);
+        for (int k = 0; writer->status == MT_OK && k < count && mt_fea_spend(writer, 1); k++) {
+            int glyph = covered[k].glyph;
+            if (glyph >= writer->source->glyph_count || taken[glyph]) continue;
+            taken[glyph] = true;
+            put(writer, table, covered[k]);
+        }
+    }
+}

@@ -55,6 +55,10 @@ bool mt_fea_class_list(mt_fea_writer *writer, mt_bytes class_def, unsigned numbe
                        int *count);
 /* All of a Coverage. */
 bool mt_fea_coverage_list(mt_fea_writer *writer, mt_bytes coverage, uint16_t **glyphs, int *count);
+/* Writes each glyph that subtables cover, by the first of them that does, which hides it from the others. */
+void mt_fea_each_glyph(mt_fea_writer *writer, const mt_lookup *lookup,
+                       mt_bytes (*coverage_of)(mt_bytes table),
+                       void (*put)(mt_fea_writer *writer, mt_bytes table, mt_covered covered));
 
 /* ---- a lookup's rules, one file each; they write into writer->lookups ---------------------------------- */
 
