@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "arithmetic/angles.h"
+
 /* From the left and a little above. */
 #define TURN (-30)
 #define TILT 25
@@ -29,7 +31,7 @@ static bool read_axis(const char *command, const char *argument, cli_solid *soli
     const char *named = argument[0] && !argument[1] ? strchr(names, argument[0]) : NULL;
     bool good = named || numbers_read(argument, axis, 3) == 3;
     if (named) axis[named - names] = 1;
-    double length = hypot(hypot(axis[0], axis[1]), axis[2]);
+    double length = mt_hypot(mt_hypot(axis[0], axis[1]), axis[2]);
     if (!good || length == 0 || !isfinite(length)) {
         misuse(command, "--about %s: x, y, z or a direction X,Y,Z is wanted", argument);
         return false;

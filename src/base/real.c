@@ -27,6 +27,14 @@ static int read_exponent(const char **at) {
     return negative ? -exponent : exponent;
 }
 
+/* Exact up to 10^22, and the same on every machine beyond: the C library's pow is not. */
+static double power_of_ten(int exponent) {
+    double power = 1, square = 10;
+    for (; exponent > 0; exponent /= 2, square *= square)
+        if (exponent % 2) power *= square;
+    return power;
+}
+
 bool mt_real_next(const char **at, double *number) {
     const char *p = *at;
     double value = 0;
@@ -42,7 +50,7 @@ bool mt_real_next(const char **at, double *number) {
     }
     if (whole + decimals == 0) return false;
     int exponent = read_exponent(&p) - decimals;
-    value = exponent < 0 ? value / pow(10, -exponent) : value * pow(10, exponent);
+    value = exponent < 0 ? value / power_of_ten(-exponent) : value * power_of_ten(exponent);
     if (!isfinite(value)) return false;
     *number = negative ? -value : value;
     *at = p;

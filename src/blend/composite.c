@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "arithmetic/angles.h"
 #include "write/extent.h"
 
 /* A glyph of the new font, to be found by what it is in each font. */
@@ -66,8 +67,8 @@ static double distance(const mt_finder *finder, const mt_placed_part *part, cons
                        int font) {
     double em_a = mt_font_units_per_em(finder->row->fonts[font - 1]),
            em_b = mt_font_units_per_em(finder->row->fonts[font]);
-    return hypot(part->at[font - 1][0] / em_a - next->dx / em_b,
-                 part->at[font - 1][1] / em_a - next->dy / em_b);
+    return mt_hypot(part->at[font - 1][0] / em_a - next->dx / em_b,
+                    part->at[font - 1][1] / em_a - next->dy / em_b);
 }
 
 /* Matches a part with the font's reference, not used yet, that makes a glyph with it; the nearest of several, such as the

@@ -7,6 +7,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "arithmetic/angles.h"
+
 int mt_metadata_units(const mt_font *a, const mt_font *b) {
     int units =
         mt_font_units_per_em(a) > mt_font_units_per_em(b) ? mt_font_units_per_em(a) : mt_font_units_per_em(b);
@@ -86,7 +88,7 @@ static mt_metrics mix_metrics(const mt_metrics *a, const mt_metrics *b, mt_scale
 
 /* The caret leans with the letters: rise to the em, run by the angle. */
 static void lean_caret(int units, mt_metrics *metrics) {
-    double run = tan(-metrics->italic_angle * acos(-1) / 180) * units;
+    double run = mt_tan(-metrics->italic_angle * M_PI / 180) * units;
     bool upright = !(fabs(run) >= 0.5 && fabs(run) <= INT16_MAX);
     metrics->caret_rise = upright ? 1 : units;
     metrics->caret_run = upright ? 0 : run;

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/limits.h"
 
 enum { GLYPHS = 120, BINS = 141, BLUR = 5 };
@@ -48,7 +49,7 @@ static double lean_of(const mt_leans *leans) {
         most = sum;
         best = i;
     }
-    return atan((2.0 * best / (BINS - 1) - 1) * LEAN_MOST) * (180 / M_PI);
+    return mt_atan2((2.0 * best / (BINS - 1) - 1) * LEAN_MOST, 1) * (180 / M_PI);
 }
 
 static bool is_shared(const mt_font *a, const mt_font *b, uint32_t code_point) {

@@ -12,7 +12,7 @@ import pathlib
 import sys
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
-ROOMS = ['base', 'geometry', 'morph', 'cache']
+ROOMS = ['arithmetic', 'base', 'geometry', 'morph', 'cache']
 FILES = ['morphotype.h', 'blend/pair.c', 'blend/pair.h']
 
 

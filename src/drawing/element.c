@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "arithmetic/angles.h"
 #include "base/real.h"
 #include "drawing/path_text.h"
 #include "drawing/scan.h"
@@ -56,7 +57,7 @@ static void draw_rect(const xmlNode *element, double across, double down, mt_pen
 }
 
 static void draw_circle(const xmlNode *element, double across, double down, mt_pen *pen) {
-    double r = mt_element_length(element, "r", hypot(across, down) / sqrt(2), 0);
+    double r = mt_element_length(element, "r", mt_hypot(across, down) / sqrt(2), 0);
     draw_ellipse(pen, mt_element_length(element, "cx", across, 0), mt_element_length(element, "cy", down, 0),
                  r, r);
 }

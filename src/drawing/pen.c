@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
+
 #define PI 3.14159265358979323846
 
 void mt_pen_layer_begin(mt_pen *pen, mt_rule rule) {
@@ -88,12 +90,12 @@ static mt_vector on_ellipse(const mt_ellipse *e, double x, double y) {
 /* From angle `from` on, by `turn`. */
 static void draw_arc(mt_pen *pen, const mt_ellipse *e, double from, double turn) {
     int count = (int)ceil(fabs(turn) / (PI / 4) - 1e-9);
-    double step = turn / count, handle = 4.0 / 3 * tan(step / 4);
+    double step = turn / count, handle = 4.0 / 3 * mt_tan(step / 4);
     for (int i = 0; i < count; i++) {
         double a = from + i * step, b = a + step;
-        mt_vector first = on_ellipse(e, cos(a) - handle * sin(a), sin(a) + handle * cos(a));
-        mt_vector second = on_ellipse(e, cos(b) + handle * sin(b), sin(b) - handle * cos(b));
-        mt_vector end = on_ellipse(e, cos(b), sin(b));
+        mt_vector first = on_ellipse(e, mt_cos(a) - handle * mt_sin(a), mt_sin(a) + handle * mt_cos(a));
+        mt_vector second = on_ellipse(e, mt_cos(b) + handle * mt_sin(b), mt_sin(b) - handle * mt_cos(b));
+        mt_vector end = on_ellipse(e, mt_cos(b), mt_sin(b));
         mt_pen_cubic(pen, first.x, first.y, second.x, second.y, end.x, end.y);
     }
 }
@@ -101,7 +103,7 @@ static void draw_arc(mt_pen *pen, const mt_ellipse *e, double from, double turn)
 /* B.2.4 and B.2.5: from both ends to the middle and angles. */
 void mt_pen_arc(mt_pen *pen, double rx, double ry, double degrees, bool large, bool sweep, double x,
                 double y) {
-    double cosine = cos(degrees * PI / 180), sine = sin(degrees * PI / 180);
+    double cosine = mt_cos(degrees * PI / 180), sine = mt_sin(degrees * PI / 180);
     double dx = (pen->at.x - x) / 2, dy = (pen->at.y - y) / 2;
     double u = cosine * dx + sine * dy, v = cosine * dy - sine * dx; /* half the way, along the axes */
     rx = fabs(rx);
@@ -111,9 +113,9 @@ void mt_pen_arc(mt_pen *pen, double rx, double ry, double degrees, bool large, b
         mt_pen_line(pen, x, y);
         return;
     }
-    double reach = hypot(u / rx, v / ry);
+    double reach = mt_hypot(u / rx, v / ry);
     if (reach > 1) rx *= reach, ry *= reach;
-    double off = sqrt(fmax(1 / fmax(hypot(u / rx, v / ry) * hypot(u / rx, v / ry), 1e-300) - 1, 0));
+    double off = sqrt(fmax(1 / fmax(mt_hypot(u / rx, v / ry) * mt_hypot(u / rx, v / ry), 1e-300) - 1, 0));
     if (large == sweep) off = -off;
     double mx = off * rx * v / ry, my = -off * ry * u / rx;
     mt_ellipse ellipse = {cosine * mx - sine * my + (pen->at.x + x) / 2,
@@ -122,7 +124,7 @@ void mt_pen_arc(mt_pen *pen, double rx, double ry, double degrees, bool large, b
                           ry,
                           cosine,
                           sine};
-    double from = atan2((v - my) / ry, (u - mx) / rx), to = atan2((-v - my) / ry, (-u - mx) / rx);
+    double from = mt_atan2((v - my) / ry, (u - mx) / rx), to = mt_atan2((-v - my) / ry, (-u - mx) / rx);
     double turn = to - from;
     if (sweep && turn < 0) turn += 2 * PI;
     if (!sweep && turn > 0) turn -= 2 * PI;

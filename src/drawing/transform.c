@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "arithmetic/angles.h"
 #include "base/real.h"
 #include "drawing/scan.h"
 
@@ -19,7 +20,7 @@ mt_affine mt_affine_after(const mt_affine *o, const mt_affine *i) {
 }
 
 static mt_affine rotation(const double *v, int count) {
-    double c = cos(v[0] * DEGREES), s = sin(v[0] * DEGREES);
+    double c = mt_cos(v[0] * DEGREES), s = mt_sin(v[0] * DEGREES);
     double x = count == 3 ? v[1] : 0, y = count == 3 ? v[2] : 0;
     return (mt_affine){c, s, -s, c, x - c * x + s * y, y - s * x - c * y};
 }
@@ -37,8 +38,8 @@ static bool make(const char *name, size_t length, const double *v, int count, mt
     case 1: *map = (mt_affine){1, 0, 0, 1, v[0], count == 2 ? v[1] : 0}; break;
     case 2: *map = (mt_affine){v[0], 0, 0, count == 2 ? v[1] : v[0], 0, 0}; break;
     case 3: *map = rotation(v, count); break;
-    case 4: *map = (mt_affine){1, 0, tan(v[0] * DEGREES), 1, 0, 0}; break;
-    default: *map = (mt_affine){1, tan(v[0] * DEGREES), 0, 1, 0, 0}; break;
+    case 4: *map = (mt_affine){1, 0, mt_tan(v[0] * DEGREES), 1, 0, 0}; break;
+    default: *map = (mt_affine){1, mt_tan(v[0] * DEGREES), 0, 1, 0, 0}; break;
     }
     return true;
 }

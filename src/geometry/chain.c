@@ -15,6 +15,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "arithmetic/angles.h"
+
 enum { MASTERS = MT_MASTERS_MAX };
 enum { ROUNDS = 8 };        /* of Gauss–Newton */
 enum { TERMS = 8 };         /* unknowns that one sample depends on, at most … */
@@ -102,7 +104,7 @@ static void find_feet(mt_solver *s, int steps) {
 }
 
 static double distance(mt_vec p, mt_vec q) {
-    return hypot(q.x - p.x, q.y - p.y);
+    return mt_hypot(q.x - p.x, q.y - p.y);
 }
 
 /* The length of segment k's control polygon. */
@@ -357,7 +359,7 @@ static bool is_usable(const mt_chain *c) {
         for (int k = 0; k < c->count; k++) {
             mt_vec in = minus(c->control[m][k], mt_chain_node(c, m, k)),
                    out = minus(mt_chain_node(c, m, k + 1), c->control[m][k]);
-            if (fabs(atan2(cross(in, out), dot(in, out))) > MT_SEGMENT_TURN_MAX * M_PI / 180) return false;
+            if (fabs(mt_atan2(cross(in, out), dot(in, out))) > MT_SEGMENT_TURN_MAX * M_PI / 180) return false;
         }
     }
     return true;
@@ -369,7 +371,7 @@ static double distance_of(const mt_solver *s, int m, int j) {
     mt_foot foot = s->feet[m][j];
     mt_vec off = minus(point_at(s->chain, m, foot), place_of(sample));
     bool beyond = (foot.segment == 0 && foot.t == 0) || (foot.segment == s->chain->count - 1 && foot.t == 1);
-    return beyond ? fabs(cross((mt_vec){sample->dx, sample->dy}, off)) : hypot(off.x, off.y);
+    return beyond ? fabs(cross((mt_vec){sample->dx, sample->dy}, off)) : mt_hypot(off.x, off.y);
 }
 
 /* The largest distance of a sample, and the segment with it. */

@@ -11,6 +11,8 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
+
 enum { PLACES = 200, CORNERS = 200, NORMALS = 3 };
 #define CORNER_TURN 0.35 /* radians to the right: the border bends into the region there */
 
@@ -49,7 +51,7 @@ static void bound_by_point(mt_disc *disc, mt_vector to) {
 
 static void bound_by_edge(mt_disc *disc, mt_point a, mt_point b) {
     mt_vector to = way(disc->at, a), along = {(double)b.x - a.x, (double)b.y - a.y};
-    double length = hypot(along.x, along.y);
+    double length = mt_hypot(along.x, along.y);
     bound_by_point(disc, to);
     if (length == 0) return;
     mt_vector across = {-along.y / length, along.x / length};
@@ -103,14 +105,14 @@ static mt_point neighbour(const mt_ring *ring, int i, int step) {
 /* The turn at a point of a ring, radians: > 0 to the left. */
 static double turn_at(const mt_ring *ring, int i) {
     mt_point p = neighbour(ring, i, -1), q = ring->points[i], r = neighbour(ring, i, 1);
-    return atan2((double)mt_cross(p, q, q, r), (double)mt_dot(p, q, q, r));
+    return mt_atan2((double)mt_cross(p, q, q, r), (double)mt_dot(p, q, q, r));
 }
 
 /* A unit vector to the left of the edge that comes to point i, turned by `turn`. */
 static mt_vector normal_at(const mt_ring *ring, int i, double turn) {
     mt_point p = neighbour(ring, i, -1), q = ring->points[i];
-    double angle = atan2((double)q.y - p.y, (double)q.x - p.x) + M_PI / 2 + turn;
-    return (mt_vector){cos(angle), sin(angle)};
+    double angle = mt_atan2((double)q.y - p.y, (double)q.x - p.x) + M_PI / 2 + turn;
+    return (mt_vector){mt_cos(angle), mt_sin(angle)};
 }
 
 static mt_edge_number edge_before(const mt_ring *ring, int number, int i) {
@@ -125,7 +127,7 @@ mt_vector mt_way_to_middle(const mt_rings *region, int ring, int i, bool left) {
     if (!left) normal = (mt_vector){-normal.x, -normal.y};
     mt_disc disc = {{r->points[i].x, r->points[i].y},
                     normal,
-                    out > 0 ? cos(out / 2) : 1,
+                    out > 0 ? mt_cos(out / 2) : 1,
                     INFINITY,
                     {{ring, i}, edge_before(r, ring, i)}};
     bound_by_all(region, 0, &(mt_edge_number){ring, i}, &disc);
@@ -152,7 +154,7 @@ static void look_at_place(mt_disc_search *s, mt_vector at, mt_vector normal, mt_
 static void look_along(mt_disc_search *s, mt_edge_number edge, double apart, double *rest) {
     const mt_ring *ring = &s->region->rings[edge.ring];
     mt_point a = ring->points[edge.point], b = point_of(ring, edge.point + 1);
-    double x = (double)b.x - a.x, y = (double)b.y - a.y, length = hypot(x, y);
+    double x = (double)b.x - a.x, y = (double)b.y - a.y, length = mt_hypot(x, y);
     for (; *rest < length; *rest += apart)
         look_at_place(s, (mt_vector){a.x + x * *rest / length, a.y + y * *rest / length},
                       (mt_vector){-y / length, x / length}, edge, edge);

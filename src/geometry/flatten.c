@@ -8,6 +8,7 @@
 #include <assert.h>
 #include <math.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/limits.h"
 #include "geometry/outline.h"
 
@@ -30,7 +31,7 @@ static mt_vector between(mt_point a, mt_point b) {
 
 /* The angle from u to v, radians, -π … π. */
 static double turn(mt_vector u, mt_vector v) {
-    return atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y);
+    return mt_atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y);
 }
 
 /* The direction in which a curve leaves its start (step 1) or, reversed, its end (step -1): towards the first
@@ -60,7 +61,7 @@ static int chord_count(const mt_curve *curve, double tolerance) {
     double second = 0;
     for (int i = 0; i + 2 <= n; i++) {
         mt_vector u = between(curve->p[i + 1], curve->p[i]), v = between(curve->p[i + 1], curve->p[i + 2]);
-        second = fmax(second, hypot(u.x + v.x, u.y + v.y));
+        second = fmax(second, mt_hypot(u.x + v.x, u.y + v.y));
     }
     double by_error = ceil(sqrt(n * (n - 1) * second / (8 * tolerance)));
     double by_turn = ceil(control_polygon_turn(curve) * (180 / M_PI) / MT_CHORD_TURN);
@@ -88,7 +89,7 @@ static uint8_t join_marks(const mt_curve *in, const mt_curve *out) {
     mt_vector before = direction(in, -1), after = direction(out, 1);
     double angle = fabs(turn(before, after)) * (180 / M_PI);
     double by_rounding =
-        MT_SMOOTH_ROUNDING / hypot(before.x, before.y) + MT_SMOOTH_ROUNDING / hypot(after.x, after.y);
+        MT_SMOOTH_ROUNDING / mt_hypot(before.x, before.y) + MT_SMOOTH_ROUNDING / mt_hypot(after.x, after.y);
     double allowed = fmin(MT_SMOOTH_JOIN + by_rounding * (180 / M_PI), MT_SMOOTH_JOIN_MOST);
     bool smooth = !(is_line(in) && is_line(out)) && angle <= allowed;
     return (uint8_t)((is_line(out) ? MT_LINE : MT_CHORD) | (smooth ? 0 : MT_CORNER));

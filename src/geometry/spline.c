@@ -15,6 +15,8 @@
 #include <assert.h>
 #include <math.h>
 
+#include "arithmetic/angles.h"
+
 #define ERROR_SHARE 0.5    /* cost of an error as large as the tolerance; a segment costs 1 */
 #define STRAIGHT_SHARE 0.1 /* of the tolerance: a run within it of a line is one */
 #define HEADINGS_APART 6.0 /* degrees between the headings of two masters at a shared node … */
@@ -30,7 +32,7 @@ typedef struct mt_arc {
 
 mt_sample mt_sample_at(double x, double y, double heading, bool node) {
     if (node) heading = round(heading / (M_PI / 2)) * (M_PI / 2);
-    return (mt_sample){x, y, cos(heading), sin(heading), node};
+    return (mt_sample){x, y, mt_cos(heading), mt_sin(heading), node};
 }
 
 static mt_vec place(const mt_sample *s) {
@@ -148,7 +150,7 @@ static mt_arc arc_between(const mt_sample *s, int from, int to, double tolerance
     double turn = cross(a->dx, a->dy, b->dx, b->dy), along = a->dx * b->dx + a->dy * b->dy;
     double cx = b->x - a->x, cy = b->y - a->y;
     double ahead = cross(cx, cy, b->dx, b->dy) / turn, behind = cross(a->dx, a->dy, cx, cy) / turn;
-    bool meets = turn != 0 && ahead > 0 && behind > 0 && along > cos(MT_SEGMENT_TURN_MAX * M_PI / 180);
+    bool meets = turn != 0 && ahead > 0 && behind > 0 && along > mt_cos(MT_SEGMENT_TURN_MAX * M_PI / 180);
     if (!meets) return line_arc(s, from, to, tolerance);
     mt_vec control = {a->x + ahead * a->dx, a->y + ahead * a->dy};
     return (mt_arc){false, control, quadratic_error(s, from, to, control, tolerance * GIVE_UP)};
@@ -169,7 +171,7 @@ typedef struct mt_problem {
 } mt_problem;
 
 static double length(mt_vec a, mt_vec b) {
-    return hypot(b.x - a.x, b.y - a.y);
+    return mt_hypot(b.x - a.x, b.y - a.y);
 }
 
 /* The control point of a master that is straight here: at the same share of its chord as in a curved one. */
@@ -200,7 +202,7 @@ static double heading_cost(const mt_problem *p, int k) {
     if (p->master_count < 2 || k == p->count - 1) return 0;
     const mt_sample *a = &p->masters[0][k], *b = &p->masters[1][k];
     double degrees =
-        fabs(atan2(cross(a->dx, a->dy, b->dx, b->dy), a->dx * b->dx + a->dy * b->dy)) * (180 / M_PI);
+        fabs(mt_atan2(cross(a->dx, a->dy, b->dx, b->dy), a->dx * b->dx + a->dy * b->dy)) * (180 / M_PI);
     double share = fmin(degrees / HEADINGS_APART, 4);
     return APART_COST * share * share;
 }
@@ -222,7 +224,7 @@ static bool is_node(const mt_problem *p, int k) {
 static bool turned_back(const mt_problem *p, int from, int to) {
     for (int m = 0; m < p->master_count; m++) {
         const mt_sample *a = &p->masters[m][from], *b = &p->masters[m][to];
-        if (a->dx * b->dx + a->dy * b->dy < cos(MT_SEGMENT_TURN_MAX * M_PI / 180)) return true;
+        if (a->dx * b->dx + a->dy * b->dy < mt_cos(MT_SEGMENT_TURN_MAX * M_PI / 180)) return true;
     }
     return false;
 }

@@ -11,6 +11,7 @@
 #include <assert.h>
 #include <math.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/limits.h"
 
 int mt_trace_after(const mt_trace *t, int i) {
@@ -28,11 +29,12 @@ static void measure(mt_trace *t) {
     for (int i = 0; i < t->ring.count; i++) {
         int j = mt_trace_after(t, i);
         t->length[i] = sqrt((double)mt_distance2(p[i], p[j]));
-        t->heading[i] = atan2((double)p[j].y - p[i].y, (double)p[j].x - p[i].x);
+        t->heading[i] = mt_atan2((double)p[j].y - p[i].y, (double)p[j].x - p[i].x);
     }
     for (int i = 0; i < t->ring.count; i++) {
         int h = mt_trace_before(t, i), j = mt_trace_after(t, i);
-        t->turn[i] = atan2((double)mt_cross(p[h], p[i], p[i], p[j]), (double)mt_dot(p[h], p[i], p[i], p[j]));
+        t->turn[i] =
+            mt_atan2((double)mt_cross(p[h], p[i], p[i], p[j]), (double)mt_dot(p[h], p[i], p[i], p[j]));
     }
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "arithmetic/angles.h"
 #include "base/json.h"
 
 enum {
@@ -151,11 +152,11 @@ static void add_rotations(mt_glb_writing *w) {
     mt_glb_part *part = begin_part(w, "VEC4", TYPE_FLOAT, w->keys, 0);
     mt_vector3 axis = w->content->axis;
     for (int i = 0; i < w->keys; i++) {
-        double half = weight_at(w, i) * w->content->degrees * acos(-1) / 360;
-        add_float(w, axis.x * sin(half));
-        add_float(w, axis.y * sin(half));
-        add_float(w, axis.z * sin(half));
-        add_float(w, cos(half));
+        double half = weight_at(w, i) * w->content->degrees * M_PI / 360;
+        add_float(w, axis.x * mt_sin(half));
+        add_float(w, axis.y * mt_sin(half));
+        add_float(w, axis.z * mt_sin(half));
+        add_float(w, mt_cos(half));
     }
     end_part(w, part);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "arithmetic/angles.h"
 #include "base/file.h"
 #include "mesh/glb_write.h"
 #include "mesh/read.h"
@@ -64,7 +65,7 @@ mt_solid_params mt_solid_params_default(void) {
 
 /* Checks the parameters, and makes the axis one of length 1. */
 static bool take_params(const mt_solid_params *given, mt_solid_params *params) {
-    double length = hypot(hypot(given->axis.x, given->axis.y), given->axis.z);
+    double length = mt_hypot(mt_hypot(given->axis.x, given->axis.y), given->axis.z);
     bool known = given->method == MT_METHOD_JOINT || given->method == MT_METHOD_PAPER;
     bool good = known && given->depth >= MT_SOLID_DEPTH_MIN && given->depth <= MT_SOLID_DEPTH_MAX &&
                 fabs(given->degrees) <= 360 && isfinite(length) && length > 0;

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
 
@@ -84,7 +85,7 @@ mt_axis_hints mt_axis_hints_of(const mt_shape *a, const mt_shape *b) {
 #define ON_AXIS 256
 
 static bool is_near(mt_point p, mt_point q) {
-    return hypot((double)p.x - q.x, (double)p.y - q.y) <= ON_AXIS;
+    return mt_hypot((double)p.x - q.x, (double)p.y - q.y) <= ON_AXIS;
 }
 
 /* The segment that ends where both shapes meet their axes; -1 for none. */
@@ -101,7 +102,7 @@ static double way_of(const mt_contour_pair *pair, const mt_axis_hints *hints, in
     int count = 0;
     for (int i = (from + 1) % pair->a.count; i != to; i = (i + 1) % pair->a.count, count++) {
         mt_point p = pair->a.segments[i].end, q = pair->b.segments[i].end;
-        sum += hypot((double)q.x - p.x - apart, (double)q.y - p.y);
+        sum += mt_hypot((double)q.x - p.x - apart, (double)q.y - p.y);
     }
     return count ? sum / count : INFINITY;
 }

@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
+
 /* ---- ink ----------------------------------------------------------------------------------------------- */
 
 /* Chords may touch where the curves do not: what is not clean is looked at again, more finely. */
@@ -26,7 +28,7 @@ static mt_vector from_to(mt_point p, mt_point q) {
 }
 
 static double length(mt_vector v) {
-    return hypot(v.x, v.y);
+    return mt_hypot(v.x, v.y);
 }
 
 /* How a contour leaves point `start` along a segment, and how it comes to the segment's end. A control point that lies on
@@ -45,7 +47,7 @@ static mt_vector arriving(mt_point start, const mt_segment *segment) {
 }
 
 static double turn(mt_vector in, mt_vector out) {
-    return fabs(atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y)) * 180 /
+    return fabs(mt_atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y)) * 180 /
            3.14159265358979323846;
 }
 

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "arithmetic/angles.h"
 #include "save/ufo_parts.h"
 
 /* A curve goes on through the point without a corner, as far as whole units tell: its neighbours are in line with it
@@ -10,7 +11,7 @@ static bool is_smooth(mt_glyf_point before, mt_glyf_point p, mt_glyf_point after
     double ax = p.x - before.x, ay = p.y - before.y, bx = after.x - p.x, by = after.y - p.y;
     double cross = ax * by - ay * bx, dot = ax * bx + ay * by;
     if (!p.on || (before.on && after.on) || dot <= 0) return false;
-    return fabs(cross) <= hypot(ax + bx, ay + by) && fabs(cross) <= tan(10 * acos(-1) / 180) * dot;
+    return fabs(cross) <= mt_hypot(ax + bx, ay + by) && fabs(cross) <= mt_tan(10 * M_PI / 180) * dot;
 }
 
 /* `type` is NULL for a control. */

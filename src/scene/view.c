@@ -2,9 +2,11 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
+
 mt_eye mt_eye_at(double turn, double tilt) {
-    double radian = acos(-1) / 180, s = sin(turn * radian), c = cos(turn * radian), rise = sin(tilt * radian),
-           run = cos(tilt * radian);
+    double radian = M_PI / 180, s = mt_sin(turn * radian), c = mt_cos(turn * radian),
+           rise = mt_sin(tilt * radian), run = mt_cos(tilt * radian);
     return (mt_eye){
         .right = {c, 0, -s}, .up = {-s * rise, run, -c * rise}, .towards = {s * run, rise, c * run}};
 }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "arithmetic/angles.h"
 #include "space/vector.h"
 
 /* ---- from a mesh --------------------------------------------------------------------------------------- */
@@ -325,8 +326,8 @@ static double share_around(const mt_part *part, const int *shell, int k, mt_vect
         mt_vector3 a = mt_minus3(part->places[at[0]], p), b = mt_minus3(part->places[at[1]], p),
                    c = mt_minus3(part->places[at[2]], p);
         double la = mt_length3(a), lb = mt_length3(b), lc = mt_length3(c);
-        sum += atan2(mt_dot3(a, mt_cross3(b, c)),
-                     la * lb * lc + mt_dot3(a, b) * lc + mt_dot3(b, c) * la + mt_dot3(c, a) * lb);
+        sum += mt_atan2(mt_dot3(a, mt_cross3(b, c)),
+                        la * lb * lc + mt_dot3(a, b) * lc + mt_dot3(b, c) * la + mt_dot3(c, a) * lb);
     }
     return sum / (2 * M_PI);
 }

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "arithmetic/angles.h"
 #include "space/vector.h"
 
 /* Of the heaviest reflex edges so many make planes, of their planes so many are kept; slots on each axis; planes around the deepest
@@ -159,7 +160,7 @@ static void add_deep(const mt_cells *cells, const mt_part *part, const mt_depth 
     v = mt_times3(1 / mt_length3(v), v);
     for (int i = 0; i < TURNS; i++) {
         double angle = M_PI * i / TURNS;
-        mt_vector3 normal = mt_plus3(mt_times3(cos(angle), u), mt_times3(sin(angle), v));
+        mt_vector3 normal = mt_plus3(mt_times3(mt_cos(angle), u), mt_times3(mt_sin(angle), v));
         planes->planes[planes->count++] = mt_plane_along(normal, cells->points[part->point[nearest]]);
     }
 }

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
 #include "solid/half.h"
 #include "solid/limits.h"
 #include "solid/links.h"
@@ -18,9 +19,9 @@
 static mt_vector3 turned(mt_vector3 p, mt_vector3 centre, mt_vector3 axis, double degrees) {
     double angle = degrees * M_PI / 180;
     mt_vector3 v = mt_minus3(p, centre);
-    mt_vector3 along = mt_times3(mt_dot3(axis, v) * (1 - cos(angle)), axis);
-    mt_vector3 across = mt_times3(sin(angle), mt_cross3(axis, v));
-    return mt_plus3(centre, mt_plus3(mt_times3(cos(angle), v), mt_plus3(across, along)));
+    mt_vector3 along = mt_times3(mt_dot3(axis, v) * (1 - mt_cos(angle)), axis);
+    mt_vector3 across = mt_times3(mt_sin(angle), mt_cross3(axis, v));
+    return mt_plus3(centre, mt_plus3(mt_times3(mt_cos(angle), v), mt_plus3(across, along)));
 }
 
 static mt_vector3 middle_of(const mt_mesh *mesh) {

@@ -16,6 +16,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/limits.h"
 #include "morph/align/lifted.h"
 
@@ -272,7 +273,7 @@ static int nearest_sample(const mt_ring_samples *samples, mt_point place, double
     int nearest = 0;
     *least = INFINITY;
     for (int i = 0; i < samples->count; i++) {
-        double distance = hypot(samples->samples[i].x - place.x, samples->samples[i].y - place.y);
+        double distance = mt_hypot(samples->samples[i].x - place.x, samples->samples[i].y - place.y);
         if (distance >= *least) continue;
         *least = distance;
         nearest = i;

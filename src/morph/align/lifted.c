@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
+
 /* Radians: what a sample turns by to be seen as a fan, and how far the views of a fan are apart, at most. */
 #define FAN_STEP (M_PI / 5)
 #define LENGTH_SHARE 0.5 /* of the lifted length that is length; the rest is turning */
@@ -21,8 +23,8 @@ static int more_views(const mt_ring_sample *sample) {
 
 /* How far a corner turns as its frame shows it: the same way round as in the drawing. */
 static double turn_seen(const mt_sample_view *view, double drawn) {
-    double turn = atan2(view->in_x * view->out_y - view->in_y * view->out_x,
-                        view->in_x * view->out_x + view->in_y * view->out_y);
+    double turn = mt_atan2(view->in_x * view->out_y - view->in_y * view->out_x,
+                           view->in_x * view->out_x + view->in_y * view->out_y);
     return turn * drawn >= 0 ? turn : turn + (drawn > 0 ? 2 : -2) * M_PI;
 }
 
@@ -30,12 +32,12 @@ static void add_views(const mt_ring_samples *samples, int i, const mt_frame *fra
     const mt_ring_sample *sample = &samples->samples[i];
     mt_sample_view whole = mt_sample_view_of(sample, frame);
     int more = more_views(sample);
-    double in = atan2(whole.in_y, whole.in_x), turn = more > 0 ? turn_seen(&whole, turn_of(sample)) : 0;
+    double in = mt_atan2(whole.in_y, whole.in_x), turn = more > 0 ? turn_seen(&whole, turn_of(sample)) : 0;
     for (int k = 0; k <= more; k++) {
         mt_sample_view view = whole;
         if (more > 0) {
-            view.in_x = view.out_x = cos(in + turn * k / more);
-            view.in_y = view.out_y = sin(in + turn * k / more);
+            view.in_x = view.out_x = mt_cos(in + turn * k / more);
+            view.in_y = view.out_y = mt_sin(in + turn * k / more);
         }
         lifted->of[lifted->count] = i;
         lifted->views[lifted->count++] = view;
@@ -46,13 +48,13 @@ static double ring_length(const mt_ring_samples *samples) {
     double length = 0;
     for (int i = 0; i < samples->count; i++) {
         const mt_ring_sample *p = &samples->samples[i], *q = &samples->samples[(i + 1) % samples->count];
-        length += hypot(q->x - p->x, q->y - p->y);
+        length += mt_hypot(q->x - p->x, q->y - p->y);
     }
     return length;
 }
 
 static double turn_between(const mt_sample_view *p, const mt_sample_view *q) {
-    return fabs(atan2(p->out_x * q->in_y - p->out_y * q->in_x, p->out_x * q->in_x + p->out_y * q->in_y));
+    return fabs(mt_atan2(p->out_x * q->in_y - p->out_y * q->in_x, p->out_x * q->in_x + p->out_y * q->in_y));
 }
 
 /* The stretch from each view to the next weighs half for the one and half for the other. */
@@ -61,7 +63,7 @@ static void weigh(const mt_ring_samples *samples, mt_lifted_ring *lifted) {
     for (int i = 0; i < lifted->count; i++) {
         int next = (i + 1) % lifted->count;
         const mt_ring_sample *p = &samples->samples[lifted->of[i]], *q = &samples->samples[lifted->of[next]];
-        double length = hypot(q->x - p->x, q->y - p->y) / whole,
+        double length = mt_hypot(q->x - p->x, q->y - p->y) / whole,
                turn = turn_between(&lifted->views[i], &lifted->views[next]) / (2 * M_PI);
         double half = (LENGTH_SHARE * length + (1 - LENGTH_SHARE) * turn) / 2;
         lifted->weight[i] += (float)half;

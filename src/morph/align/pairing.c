@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
 #include "morph/align/assign.h"
 #include "morph/align/cache.h"
 
@@ -19,7 +20,7 @@ static double apart(const mt_ring *p, const mt_frame *frame_p, const mt_ring *q,
         mt_view_of_place(frame_p, (a.min.x + (double)a.max.x) / 2, (a.min.y + (double)a.max.y) / 2);
     mt_sample_view v =
         mt_view_of_place(frame_q, (b.min.x + (double)b.max.x) / 2, (b.min.y + (double)b.max.y) / 2);
-    return hypot(u.x - v.x, u.y - v.y);
+    return mt_hypot(u.x - v.x, u.y - v.y);
 }
 
 static mt_status find_cost(const mt_cache_key *key, double flatness, mt_arena *arena, double *cost) {

@@ -13,6 +13,7 @@
 #include <assert.h>
 #include <math.h>
 
+#include "arithmetic/angles.h"
 #include "morph/align/lifted.h"
 #include "morph/align/pairing.h"
 
@@ -358,7 +359,7 @@ static mt_frame slanted_frame(const mt_side *side, double tangent) {
 
 /* Half of the slant is taken off on either side, so that swapping A and B swaps the result. */
 static void lean(const mt_side *a, const mt_side *b, double degrees, mt_registered *made) {
-    double half = tan(degrees * (M_PI / 180)) / 2;
+    double half = mt_tan(degrees * (M_PI / 180)) / 2;
     made->applies[MT_LEANING] = degrees != 0;
     made->a[MT_LEANING] = slanted_frame(a, half);
     made->b[MT_LEANING] = slanted_frame(b, -half);

@@ -9,6 +9,7 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/limits.h"
 
 static mt_ring_sample vertex_sample(const mt_trace *t, int i) {
@@ -24,16 +25,16 @@ static double angle_between(double from, double to) {
 /* The sample at fraction s of the edge from a to b. */
 static mt_ring_sample sample_between(const mt_ring_sample *a, const mt_ring_sample *b, bool line,
                                      double flatness, double s) {
-    double dx = b->x - a->x, dy = b->y - a->y, heading = atan2(dy, dx);
+    double dx = b->x - a->x, dy = b->y - a->y, heading = mt_atan2(dy, dx);
     mt_ring_sample sample = {a->x + s * dx, a->y + s * dy, heading, heading, false, false, false, line};
     double turn = angle_between(a->out, b->in), off = angle_between(a->out, heading);
     if (line || off * turn <= 0 || fabs(off) >= fabs(turn) || fabs(turn) > M_PI / 2) return sample;
-    double reach = hypot(dx, dy) * sin(turn - off) / sin(turn); /* from a to the control point */
-    if (reach * fabs(sin(off)) / 2 > 2 * flatness) return sample;
-    double cx = reach * cos(a->out), cy = reach * sin(a->out);
+    double reach = mt_hypot(dx, dy) * mt_sin(turn - off) / mt_sin(turn); /* from a to the control point */
+    if (reach * fabs(mt_sin(off)) / 2 > 2 * flatness) return sample;
+    double cx = reach * mt_cos(a->out), cy = reach * mt_sin(a->out);
     sample.x = a->x + 2 * s * (1 - s) * cx + s * s * dx;
     sample.y = a->y + 2 * s * (1 - s) * cy + s * s * dy;
-    sample.in = sample.out = atan2((1 - s) * cy + s * (dy - cy), (1 - s) * cx + s * (dx - cx));
+    sample.in = sample.out = mt_atan2((1 - s) * cy + s * (dy - cy), (1 - s) * cx + s * (dx - cx));
     return sample;
 }
 

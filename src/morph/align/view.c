@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
+
 #define TURNED_BACK 0.1 /* length of a sum of headings: less cancels itself, and has no normal */
 
 /* A place on a boundary with the normal (n, m). */
@@ -22,24 +24,24 @@ mt_sample_view mt_view_of_place(const mt_frame *frame, double x, double y) {
 }
 
 void mt_normal_of(double x, double y, double normal[2]) {
-    double length = hypot(x, y);
+    double length = mt_hypot(x, y);
     bool turned = length < TURNED_BACK;
     normal[0] = turned ? 0 : y / length;
     normal[1] = turned ? 0 : -x / length;
 }
 
 static void carry_heading(const mt_frame *f, double heading, double *x, double *y) {
-    double p = cos(heading), q = sin(heading);
+    double p = mt_cos(heading), q = mt_sin(heading);
     double u = f->heading[0] * p + f->heading[1] * q, v = f->heading[2] * p + f->heading[3] * q,
-           length = hypot(u, v);
+           length = mt_hypot(u, v);
     *x = u / length;
     *y = v / length;
 }
 
 mt_sample_view mt_sample_view_of(const mt_ring_sample *s, const mt_frame *frame) {
-    mt_sample_view view = {.turn_x = cos(s->out - s->in), .turn_y = sin(s->out - s->in)};
+    mt_sample_view view = {.turn_x = mt_cos(s->out - s->in), .turn_y = mt_sin(s->out - s->in)};
     double normal[2];
-    mt_normal_of(cos(s->in) + cos(s->out), sin(s->in) + sin(s->out), normal);
+    mt_normal_of(mt_cos(s->in) + mt_cos(s->out), mt_sin(s->in) + mt_sin(s->out), normal);
     carry(frame, s->x, s->y, normal[0], normal[1], &view);
     carry_heading(frame, s->in, &view.in_x, &view.in_y);
     carry_heading(frame, s->out, &view.out_x, &view.out_y);

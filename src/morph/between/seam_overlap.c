@@ -10,6 +10,7 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/inside.h"
 
 /* Both masters of a contour, and the ends of segments that were added to them. */
@@ -181,7 +182,7 @@ static mt_point neighbour(const mt_contour_points *points, int i, int by) {
 /* A point moved to the right of its contour, out of its ink. */
 static mt_point shifted_out(const mt_contour_points *points, int i, double reach) {
     mt_point p = points->drawn[i], before = neighbour(points, i, -1), after = neighbour(points, i, 1);
-    double dx = (double)after.x - before.x, dy = (double)after.y - before.y, length = hypot(dx, dy);
+    double dx = (double)after.x - before.x, dy = (double)after.y - before.y, length = mt_hypot(dx, dy);
     if (length <= 0) return p;
     return (mt_point){p.x + (int32_t)lround(reach * dy / length), p.y - (int32_t)lround(reach * dx / length)};
 }

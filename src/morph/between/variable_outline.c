@@ -11,6 +11,7 @@
 #include <assert.h>
 #include <math.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/limits.h"
 #include "morph/between/link_contour.h"
 #include "morph/between/seam_overlap.h"
@@ -68,8 +69,8 @@ mt_status mt_variable_outline_at(const mt_morph *morph, const mt_variable_outlin
 static void measure(mt_point a, mt_point middle_a, mt_point b, mt_point middle_b, double *radius,
                     double *change) {
     double ax = a.x - middle_a.x, ay = a.y - middle_a.y, bx = b.x - middle_b.x, by = b.y - middle_b.y;
-    *radius = fmax(*radius, fmax(hypot(ax, ay), hypot(bx, by)));
-    *change = fmax(*change, hypot(bx - ax, by - ay));
+    *radius = fmax(*radius, fmax(mt_hypot(ax, ay), mt_hypot(bx, by)));
+    *change = fmax(*change, mt_hypot(bx - ax, by - ay));
 }
 
 /* Whether a contour is displaced half-way. */

@@ -13,6 +13,7 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/disc.h"
 #include "geometry/limits.h"
 #include "geometry/union.h"
@@ -67,7 +68,7 @@ mt_status mt_look_at_ends(const mt_morph *morph, mt_arena *arena, mt_onlooker **
         mt_box box = sides[s]->box;
         o->frames[s].middle = ((double)box.min.x + box.max.x) / 2;
         o->frames[s].base = ((double)box.min.y + box.max.y) / 2;
-        reach = fmax(reach, hypot(mt_box_width(box), mt_box_height(box)) / 2);
+        reach = fmax(reach, mt_hypot(mt_box_width(box), mt_box_height(box)) / 2);
     }
     double base = (o->frames[0].base + o->frames[1].base) / 2;
     reach += fabs(o->frames[0].base - o->frames[1].base) / 2;

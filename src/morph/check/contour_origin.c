@@ -8,6 +8,7 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/inside.h"
 #include "geometry/limits.h"
 
@@ -36,7 +37,7 @@ mt_point mt_displacement(int number) {
     enum { DISTANCES = sizeof distances / sizeof *distances, DIRECTIONS = MT_DISPLACEMENTS / DISTANCES };
     double angle = 2 * M_PI * (number % DIRECTIONS) / DIRECTIONS,
            length = mt_grid_units(distances[number / DIRECTIONS]);
-    return (mt_point){(int32_t)lround(length * cos(angle)), (int32_t)lround(length * sin(angle))};
+    return (mt_point){(int32_t)lround(length * mt_cos(angle)), (int32_t)lround(length * mt_sin(angle))};
 }
 
 void mt_shift_contour(mt_contour_pair *contour, mt_point by) {

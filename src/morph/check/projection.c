@@ -9,6 +9,8 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
+
 /* The least and greatest share of the ink whose place is kept. */
 #define SHARE_LEAST 0.005
 #define SHARE_MOST 0.995
@@ -70,7 +72,7 @@ void mt_project(const mt_rings *rings, const mt_projection_frame *frame, mt_proj
         double *bins = projection->share[d], angle = M_PI * d / MT_DIRECTIONS, sum = 0;
         for (int i = 0; i < MT_BINS; i++) bins[i] = 0;
         for (int i = 0; i < rings->count; i++)
-            add_ring(bins, &rings->rings[i], frame, cos(angle), sin(angle));
+            add_ring(bins, &rings->rings[i], frame, mt_cos(angle), mt_sin(angle));
         for (int i = 0; i < MT_BINS; i++) sum += bins[i];
         double so_far = 0;
         for (int i = 0; i < MT_BINS; i++) {

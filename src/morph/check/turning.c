@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
+
 /* An edge of a control polygon. */
 typedef struct mt_heading {
     double length, x, y; /* grid units; a unit vector in the frame, or (0, 0) */
@@ -20,9 +22,9 @@ typedef struct mt_turns {
 static mt_heading heading_of(mt_point from, mt_point to, const mt_frame *frame) {
     double x = (double)to.x - from.x, y = (double)to.y - from.y;
     double u = frame->heading[0] * x + frame->heading[1] * y,
-           v = frame->heading[2] * x + frame->heading[3] * y, length = hypot(u, v);
+           v = frame->heading[2] * x + frame->heading[3] * y, length = mt_hypot(u, v);
     if (length == 0) return (mt_heading){0};
-    return (mt_heading){hypot(x, y), u / length, v / length};
+    return (mt_heading){mt_hypot(x, y), u / length, v / length};
 }
 
 /* Adds to the lengths, which are not known yet, or to the sum. */

@@ -13,6 +13,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/inside.h"
 #include "geometry/limits.h"
 
@@ -82,7 +83,7 @@ static const mt_part_edge *twin_of(const mt_part_edge *edges, int count, const m
 /* ---- ends of parts at a cut ------------------------------------------------------------------------------------- */
 
 static mt_direction unit(mt_point from, mt_point to) {
-    double x = (double)to.x - from.x, y = (double)to.y - from.y, length = hypot(x, y);
+    double x = (double)to.x - from.x, y = (double)to.y - from.y, length = mt_hypot(x, y);
     return length > 0 ? (mt_direction){x / length, y / length} : (mt_direction){0, 0};
 }
 
@@ -93,7 +94,7 @@ static mt_direction direction_out(const mt_ring *ring, int at) {
              after = ring->points[(at + 2) % n];
     mt_direction edge = unit(p, q), in = unit(before, p), back = unit(after, q);
     mt_direction out = {edge.y, -edge.x}, direction = {in.x + back.x, in.y + back.y};
-    double length = hypot(direction.x, direction.y);
+    double length = mt_hypot(direction.x, direction.y);
     bool ahead = length > 0 && direction.x * out.x + direction.y * out.y > AHEAD_LEAST * length;
     return ahead ? (mt_direction){direction.x / length, direction.y / length} : out;
 }
@@ -104,8 +105,8 @@ static double turn_at(const mt_ring *ring, int at) {
     mt_point before = ring->points[(at + n - 1) % n], p = ring->points[at], q = ring->points[(at + 1) % n],
              after = ring->points[(at + 2) % n];
     mt_direction in = unit(before, p), edge = unit(p, q), out = unit(q, after);
-    return atan2(in.x * edge.y - in.y * edge.x, in.x * edge.x + in.y * edge.y) +
-           atan2(edge.x * out.y - edge.y * out.x, edge.x * out.x + edge.y * out.y);
+    return mt_atan2(in.x * edge.y - in.y * edge.x, in.x * edge.x + in.y * edge.y) +
+           mt_atan2(edge.x * out.y - edge.y * out.x, edge.x * out.x + edge.y * out.y);
 }
 
 /* ---- room in the ink --------------------------------------------------------------------------------------------- */

@@ -12,6 +12,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/chain.h"
 #include "morph/fit/smooth.h"
 
@@ -62,7 +63,7 @@ static mt_vec from_to(mt_point p, mt_point q) {
 }
 
 static double length(mt_vec v) {
-    return hypot(v.x, v.y);
+    return mt_hypot(v.x, v.y);
 }
 
 /* ---- nodes ----------------------------------------------------------------------------------------------- */
@@ -83,7 +84,7 @@ static mt_vec leaving(const mt_smooth_state *c, int m, int k) {
 }
 
 static double degrees_between(mt_vec u, mt_vec v) {
-    return fabs(atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y)) * (180 / M_PI);
+    return fabs(mt_atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y)) * (180 / M_PI);
 }
 
 static mt_node node_at(const mt_smooth_state *c, int k) {

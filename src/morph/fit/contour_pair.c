@@ -14,6 +14,7 @@
 #include <assert.h>
 #include <math.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/limits.h"
 #include "geometry/spline.h"
 #include "morph/fit/chains.h"
@@ -98,7 +99,7 @@ static double length_between(const mt_fit_state *f, int master, int from, int to
     double length = 0;
     for (int k = from; k < to; k++) {
         const mt_ring_sample *p = sample_at(f, master, k), *q = sample_at(f, master, k + 1);
-        length += hypot(q->x - p->x, q->y - p->y);
+        length += mt_hypot(q->x - p->x, q->y - p->y);
     }
     return length;
 }

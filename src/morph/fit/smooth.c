@@ -14,6 +14,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/limits.h"
 
 /* A master that turns by no more than this at a node is smooth there, degrees. */
@@ -62,7 +63,7 @@ static mt_node_handles handles_at(const mt_contour *contour, int k) {
 static double turn(mt_node_handles h) {
     double ax = h.at.x - h.before.x, ay = h.at.y - h.before.y, bx = h.after.x - h.at.x,
            by = h.after.y - h.at.y;
-    return fabs(atan2(ax * by - ay * bx, ax * bx + ay * by)) * (180 / M_PI);
+    return fabs(mt_atan2(ax * by - ay * bx, ax * bx + ay * by)) * (180 / M_PI);
 }
 
 /* ---- kinks ------------------------------------------------------------------------------ */

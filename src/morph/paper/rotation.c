@@ -8,6 +8,7 @@
 
 #include <math.h>
 
+#include "arithmetic/angles.h"
 #include "geometry/limits.h"
 
 mt_point mt_box_middle(mt_box box) {
@@ -20,7 +21,7 @@ static void sine_cosine(double degrees, double *sine, double *cosine) {
     if (turns < 0) turns += 360;
     int quarter = (int)(turns / 90);
     double rest = (turns - 90 * quarter) * (M_PI / 180);
-    double s = sin(rest), c = cos(rest);
+    double s = mt_sin(rest), c = mt_cos(rest);
     double by_quarter[5] = {s, c, -s, -c, s};
     *sine = by_quarter[quarter % 4];
     *cosine = by_quarter[quarter % 4 + 1];
@@ -113,5 +114,5 @@ double mt_find_rotation(const mt_shape *a, const mt_shape *b, const mt_links *ma
         cosine += weight * (u.cosine * v.cosine + u.sine * v.sine);
         sine += weight * (u.cosine * v.sine - u.sine * v.cosine);
     }
-    return cosine == 0 && sine == 0 ? 0 : atan2(sine, cosine) * (90 / M_PI);
+    return cosine == 0 && sine == 0 ? 0 : mt_atan2(sine, cosine) * (90 / M_PI);
 }
