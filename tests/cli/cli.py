@@ -1,5 +1,6 @@
 """What the command-line tests share: the program, the fonts, and checks on what they leave behind."""
 
+import hashlib
 import os
 import pathlib
 import shutil
@@ -88,8 +89,8 @@ class Test(unittest.TestCase):
         return stderr
 
     def files(self):
-        """All files below the test's directory, hidden ones too, and what they hold."""
-        return {path: path.read_bytes() for path in self.directory.rglob('*') if path.is_file()}
+        """All files below the test's directory, hidden ones too, and the digests of what they hold: two that differ are told in a line."""
+        return {path: hashlib.sha256(path.read_bytes()).hexdigest() for path in self.directory.rglob('*') if path.is_file()}
 
     def path(self, name):
         return self.directory / name

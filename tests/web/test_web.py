@@ -17,7 +17,6 @@ sys.path[:0] = [str(ROOT / 'tests' / 'cli'), str(ROOT / 'tests' / 'oracles')]
 import browser
 import cli
 import oracles
-from fontTools import ttLib
 
 PAGE = pathlib.Path(os.environ['PAGE'])
 SANS = cli.DEBIAN / 'truetype/dejavu/DejaVuSans.ttf'
@@ -94,9 +93,7 @@ class Window(browser.Browser):
 
 class Test(cli.Test):
     def open(self, address=PAGE.as_uri(), **size):
-        directory = self.path(f'window-{size.get("width", "")}')
-        directory.mkdir()
-        window = Window(directory, **size)
+        window = Window(cli.make_directory(self.addCleanup), **size) # not the test's: Chromium writes there all the time
         self.addCleanup(window.close)
         window.open(address)
         return window
@@ -104,7 +101,7 @@ class Test(cli.Test):
 
 class Bytes(Test):
     def test_whole(self):
-        """All characters of DejaVu Sans and Serif: the same glyphs; and the time that they take."""
+        """All characters of DejaVu Sans and Serif: the same bytes, and the time that they take."""
         start = time.monotonic()
         self.made('variable', SANS, cli.SERIF, '-q', '-j', '1', '-o', 'x.ttf')
         native = time.monotonic() - start
@@ -113,13 +110,10 @@ class Bytes(Test):
         window.make(SANS, cli.SERIF, seconds=1200)
         page = time.monotonic() - start
         print(f'{page:.1f} s, the command line on one thread {native:.1f} s: {page / native:.2f} times')
-        made = ttLib.TTFont(io.BytesIO(window.saved('#ttf', 'DejaVuSans-DejaVuSerif.ttf')))
-        self.assertEqual(made.getGlyphOrder(), ttLib.TTFont(self.path('x.ttf')).getGlyphOrder())
+        self.assertTrue(window.saved('#ttf', 'DejaVuSans-DejaVuSerif.ttf') == self.path('x.ttf').read_bytes())
         self.assertLessEqual(page / native, RATIO_MOST)
 
-    @unittest.expectedFailure
     def test_formats(self):
-        """C's sines and angles differ in their last bit between the two C libraries, and with them a point here and there."""
         window = self.open()
         window.make_demo()
         for extension in ('ttf', 'woff2'):
