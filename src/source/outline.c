@@ -29,8 +29,8 @@ static int64_t floor_divide(int64_t a, int64_t b) {
 static bool to_grid(mt_pen *pen, const FT_Vector *from, mt_point *to) {
     int64_t limit = (MT_COORD_MAX / MT_EM + 1) * pen->units;
     bool fits = from->x >= -limit && from->x <= limit && from->y >= -limit && from->y <= limit;
-    int64_t x = fits ? floor_divide(2 * from->x * MT_EM + pen->units, 2 * pen->units) : INT64_MAX;
-    int64_t y = fits ? floor_divide(2 * from->y * MT_EM + pen->units, 2 * pen->units) : INT64_MAX;
+    int64_t x = fits ? floor_divide(2 * (int64_t)from->x * MT_EM + pen->units, 2 * pen->units) : INT64_MAX;
+    int64_t y = fits ? floor_divide(2 * (int64_t)from->y * MT_EM + pen->units, 2 * pen->units) : INT64_MAX;
     if (x < -MT_COORD_MAX || x > MT_COORD_MAX || y < -MT_COORD_MAX || y > MT_COORD_MAX) {
         pen->status = MT_TOO_LARGE;
         return false;
