@@ -8,11 +8,19 @@
  * so that every alignment has the weight 2, however many steps it has (after the symmetric form of H. Sakoe and S. Chiba, "Dynamic
  * programming algorithm optimization for spoken word recognition", 1978). The rings are closed: the path leads from
  * (start_a, start_b) around to the same pair. start_a is the view with the cheapest pair of all; each of its STARTS cheapest partners,
- * none beside a cheaper one, is tried as start_b. Invariants: every sample of both rings is in a step; the steps run in the order of
- * both rings; the rings are put in an order of their own first, so that swapping them swaps the result. O(STARTS · n · m). */
+ * none beside a cheaper one, is tried as start_b.
+ *
+ *     (0, 0) ████▒                 A cell is left out (·) where what it cost to come there, and what the views that are left cost
+ *            ▒█████▒  · ·          with their best partners, is more than a path may: so the rows hold a band (█). What a path may
+ *            · ▒█████▒  ·          cost is that of the start before; for the first, it is guessed, and doubled until there is a
+ *            · · · ▒████ (n, m)    path. The path found is the one that the whole grid has.
+ *
+ * Invariants: every sample of both rings is in a step; the steps run in the order of both rings; the rings are put in an order of their
+ * own first, so that swapping them swaps the result. O(n · m) for the costs, and at most STARTS times that for the bands. */
 #include "morph/align/align.h"
 
 #include <assert.h>
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -29,6 +37,10 @@
 /* Views of B tried as the start. */
 #define STARTS 8
 
+/* What a path is first thought to cost over what its views cost at least: by that share of it, or by that. */
+#define GUESS_SHARE 0.25F
+#define GUESS_LEAST 0.02F
+
 /* Added to the cost of a step by which one ring advances while the other waits. */
 #define WAIT_COST ((float)MT_WAIT_COST)
 
@@ -41,19 +53,34 @@ typedef struct mt_grid {
     int n, m; /* views of A, of B */
     int start_a, start_b;
     float *costs;   /* n × m: of each pair of views */
+    float *least_a; /* of each view of A, what its best partner costs by its weight … */
+    float *least_b; /* … and of each of B */
+    float *rest_a;  /* of each row, the sum of those least costs over the rows after it */
+    float *rest_b;  /* of each column, over the columns after it */
     float *rotated; /* a row of `costs` from start_b on, and its first again: m + 1 */
     float *weights; /* of the views of B, likewise */
-    float *row;     /* m + 1 least costs of reaching row i's cells … */
+    float *row;     /* m + 1 least costs of reaching row i's cells; INFINITY before and behind */
     float *last;    /* … and those of the row before */
     float *down;    /* least costs by a last step from the row before */
+    int first, end; /* the cells of `row` through which a path may still be cheap enough */
+    float most;     /* what a path may cost */
     uint8_t *moves; /* (n + 1) × (m + 1): the last step to each cell */
 } mt_grid;
 
+/* The costs of all pairs, and what advancing over each view costs at least. */
 static mt_status fill_costs(mt_grid *g, const mt_cost_weights *weights, mt_arena *arena) {
     mt_columns columns;
     mt_status status = mt_columns_of(g->b.views, g->m, arena, &columns);
-    for (int i = 0; status == MT_OK && i < g->n; i++)
-        mt_step_costs(weights, &g->a.views[i], &columns, 0, g->m, g->costs + (size_t)i * (size_t)g->m);
+    for (int j = 0; j < g->m; j++) g->least_b[j] = INFINITY;
+    for (int i = 0; status == MT_OK && i < g->n; i++) {
+        float *restrict row = g->costs + (size_t)i * (size_t)g->m, *restrict column = g->least_b,
+                        least = INFINITY;
+        mt_step_costs(weights, &g->a.views[i], &columns, 0, g->m, row);
+        for (int j = 0; j < g->m; j++) least = row[j] < least ? row[j] : least;
+        for (int j = 0; j < g->m; j++) column[j] = row[j] < column[j] ? row[j] : column[j];
+        g->least_a[i] = least * g->a.weight[i];
+    }
+    for (int j = 0; j < g->m; j++) g->least_b[j] *= g->b.weight[j];
     return status;
 }
 
@@ -61,21 +88,39 @@ static float cost_at(const mt_grid *g, int i, int j) {
     return g->costs[(size_t)i * (size_t)g->m + (size_t)j];
 }
 
-/* Values of the views of B, from start_b on. */
-static void rotate(const mt_grid *g, const float *values, float *rotated) {
-    size_t behind = (size_t)(g->m - g->start_b);
-    memcpy(rotated, values + g->start_b, behind * sizeof *values);
-    memcpy(rotated + behind, values, (size_t)g->start_b * sizeof *values);
-    rotated[g->m] = values[g->start_b];
+/* Values of the views of B, from start_b on, for the columns from `first` up to `end`. */
+static void rotate(const mt_grid *g, const float *values, int first, int end, float *rotated) {
+    for (int j = first; j < end;) {
+        int view = (g->start_b + j) % g->m, behind = g->m - view, count = end - j < behind ? end - j : behind;
+        memcpy(rotated + j, values + view, (size_t)count * sizeof *values);
+        j += count;
+    }
 }
 
-/* From the row before: A's view advances, alone or with B's. */
-static void advance_a(const mt_grid *g, float weight, uint8_t *restrict moves) {
+/* What is left to pay, at least, from each row and from each column on. */
+static void sum_rests(mt_grid *g) {
+    double sum = 0;
+    for (int i = g->n; i >= 0; i--) {
+        g->rest_a[i] = (float)sum;
+        sum += g->least_a[(g->start_a + i) % g->n];
+    }
+    sum = 0;
+    for (int j = g->m; j >= 0; j--) {
+        g->rest_b[j] = (float)sum;
+        sum += g->least_b[(g->start_b + j) % g->m];
+    }
+}
+
+/* Whether a path that reaches a cell of row i at this cost can't end at `most`, whatever comes. */
+static bool is_too_much(const mt_grid *g, float cost, int i, int j) {
+    return cost + g->rest_a[i] + g->rest_b[j] > g->most;
+}
+
+/* From the row before, whose cells end at `end`: A's view advances, alone or with B's. */
+static void advance_a(const mt_grid *g, int first, int end, float weight, uint8_t *restrict moves) {
     const float *restrict costs = g->rotated, *restrict weights = g->weights, *restrict last = g->last;
     float *restrict down = g->down;
-    down[0] = last[0] + weight * (WAIT_COST + costs[0]);
-    moves[0] = A_ADVANCES;
-    for (int j = 1; j <= g->m; j++) {
+    for (int j = first; j < end; j++) {
         float above = last[j] + weight * (WAIT_COST + costs[j]),
               both = last[j - 1] + (weight + weights[j]) * costs[j];
         down[j] = above < both ? above : both;
@@ -83,36 +128,70 @@ static void advance_a(const mt_grid *g, float weight, uint8_t *restrict moves) {
     }
 }
 
-/* Along the row: B's view advances alone, where that is cheaper. Returns the least cost in the row. Each cost waits for the one before
- * it, so that little else is done in that loop. */
-static float advance_b(const mt_grid *g, uint8_t *restrict moves) {
+/* Along the row: B's view advances alone, where that is cheaper. Each cost waits for the one before it, so that little else is done in
+ * that loop. */
+static void advance_b(const mt_grid *g, int first, int end, uint8_t *restrict moves) {
     const float *restrict costs = g->rotated, *restrict weights = g->weights, *restrict down = g->down;
-    float *restrict row = g->row, best = INFINITY, least = INFINITY;
-    for (int j = 0; j <= g->m; j++) {
+    float *restrict row = g->row, best = INFINITY;
+    for (int j = first; j < end; j++) {
         float left = best + weights[j] * (WAIT_COST + costs[j]);
         best = left < down[j] ? left : down[j];
         row[j] = best;
     }
-    for (int j = 0; j <= g->m; j++) moves[j] = row[j] < down[j] ? B_ADVANCES : moves[j];
-    for (int j = 0; j <= g->m; j++) least = row[j] < least ? row[j] : least;
-    return least;
+    for (int j = first; j < end; j++) moves[j] = row[j] < down[j] ? B_ADVANCES : moves[j];
 }
 
-/* The least cost of a path from (start_a, start_b) once around both rings; INFINITY as soon as it is at least `most`. */
-static float fill(mt_grid *g, float most) {
-    rotate(g, g->b.weight, g->weights);
-    for (int i = 0; i <= g->n; i++) {
-        int view = (g->start_a + i) % g->n;
+/* Goes on along row i behind the cells that the row before leads to; the cells that are too much are left out on either side. */
+static void trim(mt_grid *g, int i, int first, int end, uint8_t *moves) {
+    float *row = g->row;
+    const float *costs = g->costs + (size_t)((g->start_a + i) % g->n) * (size_t)g->m;
+    for (; end <= g->m; end++) {
+        row[end] = row[end - 1] + g->weights[end] * (WAIT_COST + costs[(g->start_b + end) % g->m]);
+        moves[end] = B_ADVANCES;
+        if (is_too_much(g, row[end], i, end)) break;
+    }
+    while (end > first && is_too_much(g, row[end - 1], i, end - 1)) end--;
+    while (first < end && is_too_much(g, row[first], i, first)) first++;
+    row[first - 1] = row[end] = INFINITY;
+    g->first = first;
+    g->end = end;
+}
+
+/* The least cost of a path from (start_a, start_b) once around both rings; INFINITY where it is more than `most`. */
+static float fill(mt_grid *g) {
+    g->row[0] = 0;
+    trim(g, 0, 0, 1, g->moves);
+    for (int i = 1; i <= g->n && g->first < g->end; i++) {
+        int view = (g->start_a + i) % g->n, first = g->first, end = g->end < g->m ? g->end + 1 : g->m + 1;
         uint8_t *moves = g->moves + (size_t)i * (size_t)(g->m + 1);
         float *swap = g->last;
         g->last = g->row;
         g->row = swap;
-        rotate(g, g->costs + (size_t)view * (size_t)g->m, g->rotated);
-        if (i > 0) advance_a(g, g->a.weight[view], moves);
-        for (int j = 0; i == 0 && j <= g->m; j++) g->down[j] = j ? INFINITY : 0;
-        if (advance_b(g, moves) >= most) return INFINITY; /* every path crosses this row */
+        rotate(g, g->costs + (size_t)view * (size_t)g->m, first, end, g->rotated);
+        advance_a(g, first, end, g->a.weight[view], moves);
+        advance_b(g, first, end, moves);
+        trim(g, i, first, end, moves);
     }
-    return g->row[g->m];
+    return g->end > g->m ? g->row[g->m] : INFINITY;
+}
+
+/* Allows for what rounding adds to a sum of a step for each view. */
+static float rounded_up(const mt_grid *g, float most) {
+    return most + (float)(g->n + g->m) * FLT_EPSILON * (most + WAIT_COST);
+}
+
+/* The least cost of a path from the start, when that is less than `most`; INFINITY otherwise. What a path may cost is guessed first, and
+ * doubled until one is found: the less it may, the fewer cells can be on it. */
+static float find_cheapest(mt_grid *g, float most) {
+    rotate(g, g->b.weight, 0, g->m + 1, g->weights);
+    sum_rests(g);
+    float least = g->rest_a[0] + g->rest_b[0], over = fmaxf(least * GUESS_SHARE, GUESS_LEAST), cost;
+    do {
+        g->most = rounded_up(g, fminf(most, least + over));
+        cost = fill(g);
+        over *= 2;
+    } while (cost == INFINITY && g->most < most);
+    return cost;
 }
 
 /* Reads the way back from the filled grid: the steps after the start, the last of which is the start again. */
@@ -185,13 +264,17 @@ static mt_status start_grid(const mt_cost_weights *weights, const mt_links *pins
     size_t cells = ((size_t)g->n + 1) * ((size_t)g->m + 1), row = (size_t)g->m + 1;
     if (cells > MT_ALIGNMENT_MAX || !mt_arena_spend(arena, (int64_t)cells * STARTS)) return MT_TOO_LARGE;
     g->costs = mt_arena_new(arena, cells, sizeof(float));
-    g->rotated = mt_arena_new(arena, 5 * row, sizeof(float));
+    g->rotated = mt_arena_new(arena, 7 * row + 4 + 2 * (size_t)g->n + 1, sizeof(float));
     g->moves = mt_arena_new(arena, cells, 1);
     if (!g->costs || !g->rotated || !g->moves) return MT_NO_MEMORY;
     g->weights = g->rotated + row;
-    g->row = g->weights + row;
-    g->last = g->row + row;
-    g->down = g->last + row;
+    g->down = g->weights + row;
+    g->rest_b = g->down + row;
+    g->least_b = g->rest_b + row;
+    g->row = g->least_b + row + 1; /* with a cell before and one behind, as `last` has */
+    g->last = g->row + row + 2;
+    g->least_a = g->last + row + 1;
+    g->rest_a = g->least_a + g->n;
     mt_status status = fill_costs(g, weights, arena);
     if (status != MT_OK) return status;
     pin(g, pins);
@@ -227,7 +310,7 @@ static mt_status align(const mt_ring_samples *samples_a, const mt_frame *frame_a
     cheapest_partners(&grid, grid.start_a, partners);
     for (int k = 0; k < STARTS && partners[k] >= 0; k++) {
         grid.start_b = partners[k];
-        float cost = fill(&grid, least);
+        float cost = find_cheapest(&grid, least);
         if (cost >= least) continue;
         least = cost;
         read_back(&grid, &made);
