@@ -6,7 +6,7 @@
  *
  * 1. Both boundaries become graphs; chords between holes that both sides have and the outside are barred (keep_common_holes).
  * 2. All rings are matched both ways; of the chords used, all are barred but those with a return nearby (bar_chords), and all rings are
- *    matched again with what is left.
+ *    matched again with what is left, if anything is.
  * 3. Each side is cut along the chords used both ways (choose_cuts, cut_all), and the parts are paired (pair_parts).
  * 4. While there is a useless cut, at a part without partner, it is undone, and 3 is done again (undo_cut).
  * Invariants: parts have the ink of their side; partners are mutual. O(n m) for the matches, O(k²) alignments for k parts a round. */
@@ -31,6 +31,7 @@
 typedef struct mt_division {
     mt_boundary boundary;
     bool *used;           /* of each chord: whether a match of the other side's rings crosses it */
+    bool kept;            /* whether there is a chord that may become a cut */
     mt_match_step *start; /* of each ring, a step of its match with the other side; here < 0: not known yet */
     bool **cut;           /* of each component's mesh, the half-edges along which it is cut */
     int **part_of;        /* of each component's mesh, the part of each triangle */
@@ -39,11 +40,12 @@ typedef struct mt_division {
 
 /* ---- matches ------------------------------------------------------------------------------------------------------- */
 
-/* Matches all rings of one side with the other's boundary; notes the chords that they use, and a step of each. */
+/* Matches all rings of one side with the other's boundary; notes the chords that they use, and a step of each. Where no chord may become
+ * a cut, none is used. */
 static mt_status match_onto(mt_division *from, mt_division *to, const mt_cost_weights *weights,
                             mt_arena *arena) {
     for (int i = 0; i < to->boundary.first_chord[to->boundary.count]; i++) to->used[i] = false;
-    for (int r = 0; r < from->boundary.ring_count; r++) {
+    for (int r = 0; to->kept && r < from->boundary.ring_count; r++) {
         mt_arena_place before = mt_arena_mark(arena);
         mt_ring_match match;
         mt_status status = mt_match_ring(&from->boundary, r, &to->boundary, weights,
@@ -172,12 +174,13 @@ static mt_status bar_chords(mt_division *division, mt_arena *arena) {
     if (!mt_arena_spend(arena, (int64_t)used * total)) return MT_TOO_LARGE;
     bool *keep = mt_arena_new(arena, (size_t)total, sizeof *keep);
     if (!keep) return MT_NO_MEMORY;
+    division->kept = false;
     for (int i = 0; i < total; i++) {
         if (b->chords[i].edge < 0) continue;
         int back = division->used[i] ? return_chord(division, i) : -1;
         if (back < 0) continue;
         int chosen = better_cut(b, i, back);
-        keep[chosen] = keep[mt_chord_back(b, chosen)] = true;
+        keep[chosen] = keep[mt_chord_back(b, chosen)] = division->kept = true;
     }
     for (int i = 0; i < total; i++)
         if (b->chords[i].edge >= 0) b->chords[i].cost = keep[i] ? b->chords[i].cost * KEPT_SHARE : INFINITY;
@@ -357,6 +360,7 @@ static mt_status start_division(const mt_side *side, const mt_settings *settings
     division->used = mt_arena_new(arena, chords, sizeof *division->used);
     division->start = mt_arena_new(arena, rings, sizeof *division->start);
     if (!division->used || !division->start) return MT_NO_MEMORY;
+    division->kept = true;
     for (size_t r = 0; r < rings; r++) division->start[r].here = -1;
     return MT_OK;
 }
