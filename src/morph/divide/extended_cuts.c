@@ -1,13 +1,19 @@
-/* Extending parts beyond their cut, into the ink of the part on its other side.
+/* Parts lengthened beyond their cuts, into the ink of the parts beside them. A cut is where two strokes meet. Where each ends is hidden
+ * by the ink of the other, and comes to light as soon as the two part:
  *
- *     ─────────┐   │        ─────────┬───┐        ─────────────┐      A's two strokes share a cut, B's have a gap g.
- *      part 0  │ g │         part 0  │ 1 │         part 0   ┊  │      Without extension they separate as soon as T > 0;
- *     ─────────┘   │        ─────────┴───┤        ──────────┊──┤      extended by g they separate half-way.
- *          B                     A       │            A     ┊ 1│
+ *     │   │      │   │                ┌────────       ┌────────
+ *     │   │      │   │                │   ╱ its       ┆   ╱
+ *    ─┴┄┄┄┴─    ─┼┄┄┄┼─  a stroke     │ ┄╱  corner    ┆  ╱     both sides go on
+ *                │   │   goes on      │┄╱             ┆ ╱      until they meet
+ *    ───────    ─└───┘─              ─┴╱              └╱
  *
- * Of the two parts the one extends that turns more at the cut: a stroke ends there, where the other runs past. It extends along its two
- * sides, at most LONGEST and as far as the drawing's own boundary does not cross the extension; half as far, and so on, where it does.
- * Invariant: the union of the parts stays the side's ink. O(e log e) for e edges of the parts, O(e) for each extension. */
+ * 1. A stroke ends in that of two parts whose turn at the cut is more like half a turn. It goes on along its sides as far as its partner
+ *    reaches, where the frames of both glyphs carry it (align/registration.h).
+ * 2. A part that is cut through a corner turns less: its sides meet no further out than the cut is long, and go on until there.
+ * 3. Where both sides are cut where the other has a gap, all would separate at once and join last, or all be one half-way: so parts go on
+ *    by the gap between their partners instead, and separate half-way.
+ * An extension is at most LONGEST, and half as long, and so on, where the drawing's own boundary crosses it. Invariant: the union of the
+ * parts stays the side's ink. O(e log e) for e edges of the parts, O(e) for each extension. */
 #include "morph/divide/extended_cuts.h"
 
 #include <math.h>
@@ -16,17 +22,34 @@
 #include "arithmetic/angles.h"
 #include "geometry/inside.h"
 #include "geometry/limits.h"
+#include "morph/align/view.h"
 
-/* The longest extension and the shortest that matters, 1/1000 em; and how many lengths are tried, each half of the one before. */
+/* The longest extension and the shortest that matters, 1/1000 em: with less, the cut is overlapped anyway (between/seam_overlap.h). And how
+ * many lengths are tried, each half of the one before. */
 #define LONGEST 120.0
-#define SHORTEST 2.0
+#define SHORTEST 4.0
 enum { LENGTHS = 4 };
 
 /* Times the gap: the extension on the side with more ink; on the other it is the inverse. */
 #define RATIO 1.1
 
-/* The cosine of the angle to the edge's normal, at most, at which a part is still extended along its sides: 45 degrees. */
-#define AHEAD_LEAST 0.7
+/* The cosine of the angle straight out of a part, at least, of a side that goes on beyond its end: of one that leads towards the other
+ * side, and of one that leads away from it. */
+#define TOWARDS_LEAST 0.05
+#define AWAY_LEAST 0.7
+
+/* The tangent of the angle by which a side turns inwards where the ink hides it, 6 degrees: there it keeps a corner, which smoothing does not
+ * move (fit/smooth.h), so that what is drawn stays as it is. */
+#define BEND 0.105
+
+/* A part turns by that at a cut through its corner, at least, radians. */
+#define CORNER_TURN 1.0
+
+/* Samples of a partner's ring, at least. */
+#define SAMPLES 60.0
+
+/* The sine of a corner's turn, at least, by which its place is where its sides meet: others are smooth, or turn back. */
+#define TURN_LEAST 0.3
 
 /* An edge of a part's outer ring. */
 typedef struct mt_part_edge {
@@ -37,6 +60,19 @@ typedef struct mt_part_edge {
 typedef struct mt_direction {
     double x, y;
 } mt_direction;
+
+typedef struct mt_extending {
+    const mt_side *here, *there; /* as they were before they were cut */
+    double flatness;             /* grid units, of the rings */
+    double gaps; /* extensions are as long as that many gaps between partners; 0: as is hidden */
+    mt_arena *arena;
+} mt_extending;
+
+/* An extension: the cut's start, the far corners, the cut's end. */
+typedef struct mt_tip {
+    int count; /* 4, or 3 where both sides meet */
+    mt_point points[4];
+} mt_tip;
 
 /* ---- shared edges ----------------------------------------------------------------------------------------------- */
 
@@ -87,19 +123,11 @@ static mt_direction unit(mt_point from, mt_point to) {
     return length > 0 ? (mt_direction){x / length, y / length} : (mt_direction){0, 0};
 }
 
-/* The direction out of the part across its edge: that of its two sides, or the edge's normal where they disagree. */
-static mt_direction direction_out(const mt_ring *ring, int at) {
-    int n = ring->count;
-    mt_point before = ring->points[(at + n - 1) % n], p = ring->points[at], q = ring->points[(at + 1) % n],
-             after = ring->points[(at + 2) % n];
-    mt_direction edge = unit(p, q), in = unit(before, p), back = unit(after, q);
-    mt_direction out = {edge.y, -edge.x}, direction = {in.x + back.x, in.y + back.y};
-    double length = mt_hypot(direction.x, direction.y);
-    bool ahead = length > 0 && direction.x * out.x + direction.y * out.y > AHEAD_LEAST * length;
-    return ahead ? (mt_direction){direction.x / length, direction.y / length} : out;
+static double dot(mt_direction p, mt_direction q) {
+    return p.x * q.x + p.y * q.y;
 }
 
-/* The ring's turn into its edge and out of it: two right angles where a stroke ends at the edge, none where the edge is in its side. */
+/* The ring's turn into an edge and out of it: half a turn where a stroke ends at the edge, none where the edge is in its side. */
 static double turn_at(const mt_ring *ring, int at) {
     int n = ring->count;
     mt_point before = ring->points[(at + n - 1) % n], p = ring->points[at], q = ring->points[(at + 1) % n],
@@ -107,6 +135,47 @@ static double turn_at(const mt_ring *ring, int at) {
     mt_direction in = unit(before, p), edge = unit(p, q), out = unit(q, after);
     return mt_atan2(in.x * edge.y - in.y * edge.x, in.x * edge.x + in.y * edge.y) +
            mt_atan2(edge.x * out.y - edge.y * out.x, edge.x * out.x + edge.y * out.y);
+}
+
+/* A part's end at a cut. */
+typedef struct mt_end {
+    mt_point from, to; /* the cut */
+    double length;     /* of the cut, grid units */
+    mt_direction along, out;
+    mt_direction start, finish; /* how both sides go on beyond the cut, for each unit out of the part */
+    double meet;                /* how far out they meet; INFINITY: nowhere */
+    double
+        turn; /* of the part, at the cut: half a turn where a stroke ends, none where the cut is in its side */
+} mt_end;
+
+/* A side of the part goes on beyond the cut as it is drawn, but for BEND; straight out where it does not lead out, or leads out too
+ * slantwise away from the other side. For each unit out. */
+static mt_direction goes_on(mt_direction side, mt_direction out, mt_direction inwards) {
+    double least = dot(inwards, side) > 0 ? TOWARDS_LEAST : AWAY_LEAST;
+    mt_direction way = dot(out, side) > least ? side : out, beside = {-way.y, way.x};
+    double bend = dot(beside, inwards) > 0 ? BEND : -BEND;
+    way = (mt_direction){way.x + bend * beside.x, way.y + bend * beside.y};
+    double by = dot(out, way);
+    return (mt_direction){way.x / by, way.y / by};
+}
+
+static mt_end end_at(const mt_ring *ring, int at) {
+    int n = ring->count;
+    mt_point before = ring->points[(at + n - 1) % n], from = ring->points[at],
+             to = ring->points[(at + 1) % n], after = ring->points[(at + 2) % n];
+    mt_direction along = unit(from, to), back = {-along.x, -along.y}, out = {along.y, -along.x};
+    mt_end end = {from,
+                  to,
+                  sqrt((double)mt_distance2(from, to)),
+                  along,
+                  out,
+                  goes_on(unit(before, from), out, along),
+                  goes_on(unit(after, to), out, back),
+                  INFINITY,
+                  turn_at(ring, at)};
+    double closing = dot(along, end.start) - dot(along, end.finish);
+    if (closing > 0) end.meet = end.length / closing;
+    return end;
 }
 
 /* ---- room in the ink --------------------------------------------------------------------------------------------- */
@@ -118,10 +187,10 @@ static bool do_cross(mt_point a, mt_point b, mt_point c, mt_point d) {
 }
 
 /* The least turn from an extension's sides, which run anticlockwise, to a point given in halves of a grid unit: < 0 inside, 0 on the border. */
-static int64_t outside(const mt_point tip[4], mt_point twice) {
+static int64_t outside(const mt_tip *tip, mt_point twice) {
     int64_t most = INT64_MIN;
-    for (int k = 0; k < 4; k++) {
-        mt_point p = tip[k], q = tip[(k + 1) % 4];
+    for (int k = 0; k < tip->count; k++) {
+        mt_point p = tip->points[k], q = tip->points[(k + 1) % tip->count];
         int64_t turn = -mt_orient((mt_point){2 * p.x, 2 * p.y}, (mt_point){2 * q.x, 2 * q.y}, twice);
         if (turn > most) most = turn;
     }
@@ -129,48 +198,56 @@ static int64_t outside(const mt_point tip[4], mt_point twice) {
 }
 
 /* Whether an edge from border to border leads through the extension: along a white as wide as that, sides meet and do not cross. */
-static bool leads_through(mt_point a, mt_point b, const mt_point tip[4]) {
+static bool leads_through(mt_point a, mt_point b, const mt_tip *tip) {
     return outside(tip, (mt_point){2 * a.x, 2 * a.y}) <= 0 &&
            outside(tip, (mt_point){2 * b.x, 2 * b.y}) <= 0 &&
            outside(tip, (mt_point){a.x + b.x, a.y + b.y}) < 0;
 }
 
-/* Whether no edge of the drawing crosses the extension p, p', q', q, and its far corners are in the ink. */
-static bool is_in_ink(const mt_shape *drawn, const mt_point tip[4]) {
+/* Whether no edge of the drawing crosses the extension, and its far corners are in the ink. */
+static bool is_in_ink(const mt_shape *drawn, const mt_tip *tip) {
     for (int c = 0; c < drawn->count; c++)
         for (int r = 0; r < drawn->components[c].count; r++) {
             const mt_ring *ring = &drawn->components[c].rings[r];
             for (int i = 0; i < ring->count; i++) {
                 mt_point a = ring->points[i], b = ring->points[(i + 1) % ring->count];
                 if (leads_through(a, b, tip)) return false;
-                for (int k = 0; k < 3; k++)
-                    if (do_cross(a, b, tip[k], tip[k + 1])) return false;
+                for (int k = 0; k + 1 < tip->count; k++)
+                    if (do_cross(a, b, tip->points[k], tip->points[k + 1])) return false;
             }
         }
-    return mt_is_in_ink(drawn, tip[1]) && mt_is_in_ink(drawn, tip[2]);
+    for (int k = 1; k + 1 < tip->count; k++)
+        if (!mt_is_in_ink(drawn, tip->points[k])) return false;
+    return true;
 }
 
 static mt_point moved(mt_point p, mt_direction direction, double by) {
     return (mt_point){p.x + (int32_t)lround(direction.x * by), p.y + (int32_t)lround(direction.y * by)};
 }
 
+/* The extension by a part's two sides, as far out as `reach`, or as where they meet. */
+static mt_tip tip_at(const mt_end *end, double reach) {
+    if (reach >= end->meet) return (mt_tip){3, {end->from, moved(end->from, end->start, end->meet), end->to}};
+    return (mt_tip){
+        4, {end->from, moved(end->from, end->start, reach), moved(end->to, end->finish, reach), end->to}};
+}
+
 /* ---- extending --------------------------------------------------------------------------------------------------- */
 
-/* Extends the part at the edge that leaves vertex `at`. */
-static mt_status add_extension(mt_component *part, int at, mt_point near, mt_point far, mt_arena *arena) {
+/* Puts an extension in the place of the edge that leaves vertex `at`. */
+static mt_status add_extension(mt_component *part, int at, const mt_tip *tip, mt_arena *arena) {
     const mt_ring *ring = &part->rings[0];
     mt_ring made;
     mt_ring *rings = mt_arena_new(arena, (size_t)part->count, sizeof *rings);
-    mt_status status = rings ? mt_ring_new(arena, ring->count + 2, &made) : MT_NO_MEMORY;
+    mt_status status = rings ? mt_ring_new(arena, ring->count + tip->count - 2, &made) : MT_NO_MEMORY;
     if (status != MT_OK) return status;
-    for (int i = 0, k = 0; i < ring->count; i++, k++) {
+    for (int i = 0, k = 0; i < ring->count; i++) {
         made.points[k] = ring->points[i];
-        made.marks[k] = ring->marks[i];
-        if (i != at) continue;
-        made.points[++k] = near;
-        made.marks[k] = MT_CORNER | MT_LINE;
-        made.points[++k] = far;
-        made.marks[k] = MT_CORNER | MT_LINE;
+        made.marks[k++] = ring->marks[i];
+        for (int t = 1; i == at && t + 1 < tip->count; t++) {
+            made.points[k] = tip->points[t];
+            made.marks[k++] = MT_CORNER | MT_LINE;
+        }
     }
     rings[0] = made;
     for (int r = 1; r < part->count; r++) rings[r] = part->rings[r];
@@ -187,37 +264,104 @@ static int place_of(const mt_ring *ring, const mt_part_edge *edge) {
     return at;
 }
 
-static mt_status extend_part(const mt_shape *drawn, mt_shape *parts, const mt_part_edge *edge, double length,
-                             mt_arena *arena) {
-    mt_component *part = &parts->components[edge->part];
-    int at = place_of(&part->rings[0], edge);
-    mt_direction direction = direction_out(&part->rings[0], at);
-    double by = fmin(length, mt_grid_units(LONGEST));
+/* How far out of a part a place lies; 0 where it is not in front of its end. */
+static double beyond(const mt_end *end, mt_vec place) {
+    mt_direction off = {place.x - end->from.x, place.y - end->from.y};
+    double by = dot(end->along, off);
+    return by < -end->length || by > 2 * end->length ? 0 : dot(end->out, off);
+}
+
+/* Where the frames carry a sample of the other side. A corner goes to where its two sides go, each moved along its own normal. */
+static mt_vec carried(const mt_extending *e, const mt_ring_sample *sample) {
+    mt_ring_sample in = *sample, out = *sample;
+    in.out = sample->in;
+    out.in = sample->out;
+    mt_sample_view u = mt_sample_view_of(&in, &e->there->frame),
+                   v = mt_sample_view_of(&out, &e->there->frame);
+    mt_vec p = mt_place_of_view(&e->here->frame, &u), q = mt_place_of_view(&e->here->frame, &v);
+    double turn = u.in_x * v.in_y - u.in_y * v.in_x, x = q.x - p.x, y = q.y - p.y;
+    if (fabs(turn) < TURN_LEAST) return (mt_vec){p.x + x / 2, p.y + y / 2};
+    double ahead = (x * v.in_y - y * v.in_x) / turn;
+    return (mt_vec){p.x + ahead * u.in_x, p.y + ahead * u.in_y};
+}
+
+/* How far out of a part's end its partner reaches, where the frames carry it. */
+static mt_status find_reach(const mt_extending *e, const mt_ring *partner, const mt_end *end, double *reach) {
+    mt_arena_place before = mt_arena_mark(e->arena);
+    mt_ring_samples samples;
+    mt_status status = mt_ring_samples_at_least(partner, e->flatness, SAMPLES, e->arena, &samples);
+    *reach = 0;
+    for (int i = 0; status == MT_OK && i < samples.count; i++) {
+        double by = beyond(end, carried(e, &samples.samples[i]));
+        if (by <= mt_grid_units(LONGEST)) *reach = fmax(*reach, by);
+    }
+    mt_arena_rewind(e->arena, before);
+    return status;
+}
+
+/* The same end, going on straight out. */
+static mt_end straight(const mt_end *end) {
+    mt_end made = *end;
+    made.start = made.finish = end->out;
+    made.meet = INFINITY;
+    return made;
+}
+
+/* A corner of a part that the ink beyond its cut hides: where both sides meet no further out than the cut is long. */
+static double hidden_corner(const mt_end *end) {
+    return end->turn >= CORNER_TURN && end->meet <= end->length ? end->meet : 0;
+}
+
+/* Lengthens a part beyond its end, as far as there is ink. */
+static mt_status lengthen(const mt_extending *e, mt_component *part, int at, const mt_end *end,
+                          double length) {
+    double by = fmin(fmin(length, end->meet), mt_grid_units(LONGEST));
     for (int i = 0; i < LENGTHS && by >= mt_grid_units(SHORTEST); i++, by /= 2) {
-        const mt_point tip[4] = {edge->from, moved(edge->from, direction, by), moved(edge->to, direction, by),
-                                 edge->to};
-        if (is_in_ink(drawn, tip)) return add_extension(part, at, tip[1], tip[2], arena);
+        mt_tip tip = tip_at(end, by);
+        if (is_in_ink(&e->here->shape, &tip)) return add_extension(part, at, &tip, e->arena);
     }
     return MT_OK;
 }
 
-/* Extends the parts in `made`, at first those of `cut`, by `times` the gap between their partners on the other side. */
-static mt_status extend_side(const mt_shape *drawn, const mt_cut_side *cut, const mt_cut_side *other,
-                             double times, mt_shape *made, mt_arena *arena) {
+/* Lengthens the parts on both sides of a cut. Of the two, a stroke ends in the one whose turn is more like half a turn. */
+static mt_status extend_at(const mt_extending *e, const mt_cut_side *cut, const mt_cut_side *other,
+                           const mt_part_edge *const edges[2], mt_shape *made) {
+    mt_component *parts[2];
+    const mt_ring *partners[2];
+    mt_end ends[2];
+    int at[2];
+    for (int k = 0; k < 2; k++) {
+        parts[k] = &made->components[edges[k]->part];
+        partners[k] = &other->parts.components[cut->partner[edges[k]->part]].rings[0];
+        at[k] = place_of(&parts[k]->rings[0], edges[k]);
+        ends[k] = end_at(&parts[k]->rings[0], at[k]);
+    }
+    int ending = fabs(ends[0].turn - M_PI) <= fabs(ends[1].turn - M_PI) ? 0 : 1;
+    mt_point direction;
+    double reach;
+    if (e->gaps > 0) {
+        double length = e->gaps * mt_ring_gap(partners[0], partners[1], &direction);
+        mt_end end = length < ends[ending].meet ? ends[ending] : straight(&ends[ending]);
+        return lengthen(e, parts[ending], at[ending], &end, length);
+    }
+    mt_status status = find_reach(e, partners[ending], &ends[ending], &reach);
+    for (int k = 0; status == MT_OK && k < 2; k++)
+        status =
+            lengthen(e, parts[k], at[k], &ends[k], fmax(hidden_corner(&ends[k]), k == ending ? reach : 0));
+    return status;
+}
+
+/* Extends the parts in `made`, at first those of `cut`. */
+static mt_status extend_side(const mt_extending *e, const mt_cut_side *cut, const mt_cut_side *other,
+                             mt_shape *made) {
     mt_part_edge *edges;
     int count;
-    mt_status status = list_edges(&cut->parts, arena, &edges, &count);
+    mt_status status = list_edges(&cut->parts, e->arena, &edges, &count);
     for (int i = 0; status == MT_OK && i < count; i++) {
         const mt_part_edge *edge = &edges[i], *twin = twin_of(edges, count, edge);
         if (!twin || edge->part > twin->part) continue;
-        int p = cut->partner[edge->part], q = cut->partner[twin->part];
-        if (p < 0 || q < 0) continue;
-        mt_point direction;
-        double gap = mt_ring_gap(&other->parts.components[p].rings[0], &other->parts.components[q].rings[0],
-                                 &direction);
-        bool ends = turn_at(&cut->parts.components[edge->part].rings[0], edge->at) >=
-                    turn_at(&cut->parts.components[twin->part].rings[0], twin->at);
-        status = extend_part(drawn, made, ends ? edge : twin, times * gap, arena);
+        if (cut->partner[edge->part] < 0 || cut->partner[twin->part] < 0) continue;
+        status = extend_at(e, cut, other, (const mt_part_edge *[]){edge, twin}, made);
     }
     return status;
 }
@@ -236,16 +380,18 @@ static mt_status copy(const mt_shape *shape, mt_arena *arena, mt_shape *made) {
     return MT_OK;
 }
 
-mt_status mt_extend_cuts(const mt_shape *in_a, mt_cut_side *a, const mt_shape *in_b, mt_cut_side *b,
-                         mt_arena *arena) {
+mt_status mt_extend_cuts(const mt_side *a, mt_cut_side *cut_a, const mt_side *b, mt_cut_side *cut_b,
+                         bool is_cut_twice, double flatness, mt_arena *arena) {
     mt_shape made_a, made_b;
-    mt_status status = copy(&a->parts, arena, &made_a);
-    if (status == MT_OK) status = copy(&b->parts, arena, &made_b);
-    double times = overlap_ratio(in_a, in_b);
-    if (status == MT_OK) status = extend_side(in_a, a, b, times, &made_a, arena);
-    if (status == MT_OK) status = extend_side(in_b, b, a, 1 / times, &made_b, arena);
+    mt_status status = copy(&cut_a->parts, arena, &made_a);
+    if (status == MT_OK) status = copy(&cut_b->parts, arena, &made_b);
+    double gaps = is_cut_twice ? overlap_ratio(&a->shape, &b->shape) : 0;
+    mt_extending in_a = {a, b, flatness, gaps, arena},
+                 in_b = {b, a, flatness, gaps > 0 ? 1 / gaps : 0, arena};
+    if (status == MT_OK) status = extend_side(&in_a, cut_a, cut_b, &made_a);
+    if (status == MT_OK) status = extend_side(&in_b, cut_b, cut_a, &made_b);
     if (status != MT_OK) return status;
-    a->parts = made_a;
-    b->parts = made_b;
+    cut_a->parts = made_a;
+    cut_b->parts = made_b;
     return MT_OK;
 }

@@ -3,8 +3,8 @@
 
 #include "morph/divide/division.h"
 
-/* Where two parts of one side meet at a cut and their partners on the other side have a gap, lengthens the part that ends at the cut
- * by that gap into the ink of the other, so that the two separate half-way and not at once. in_a and in_b are the ink of both sides
- * before they were cut; the union of a side's parts stays the same. MT_NO_MEMORY. */
-mt_status mt_extend_cuts(const mt_shape *in_a, mt_cut_side *a, const mt_shape *in_b, mt_cut_side *b,
-                         mt_arena *arena);
+/* Lengthens parts beyond their cuts, in both sides: as far as the partner of each reaches where the frames of both sides carry it, and
+ * until the sides of a corner meet; or, where `is_cut_twice`, since each side has cuts where the other has gaps, by the gap. The union of a
+ * side's parts stays the same. MT_NO_MEMORY, MT_TOO_LARGE. */
+mt_status mt_extend_cuts(const mt_side *a, mt_cut_side *cut_a, const mt_side *b, mt_cut_side *cut_b,
+                         bool is_cut_twice, double flatness, mt_arena *arena);

@@ -128,8 +128,9 @@ static mt_status join_cut(mt_join_state *state) {
     mt_cut_side a, b;
     mt_status status =
         mt_reconcile(&m->a, &m->b, state->context->hints, &state->context->settings, state->arena, &a, &b);
-    if (status == MT_OK && is_cut_twice(m, &a, &b))
-        status = mt_extend_cuts(&m->a.shape, &a, &m->b.shape, &b, state->arena);
+    bool twice = status == MT_OK && is_cut_twice(m, &a, &b);
+    if (status == MT_OK && (twice || state->context->settings.goes_on))
+        status = mt_extend_cuts(&m->a, &a, &m->b, &b, twice, state->context->settings.flatness, state->arena);
     if (status != MT_OK) return status;
     m->a.shape = a.parts;
     m->b.shape = b.parts;

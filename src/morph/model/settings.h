@@ -25,6 +25,7 @@ enum { MT_PLACINGS = MT_LEANING + 1 };
 typedef struct mt_settings {
     mt_placing placing;
     bool fills;                /* white without a counterpart is filled first (geometry/white.h) */
+    bool goes_on;              /* strokes go on under the ink beyond a cut (divide/extended_cuts.h) */
     mt_cost_weights align;     /* of two rings (align/align.h) */
     mt_cost_weights match;     /* of a ring with the other side's boundary (divide/ring_matching.h) */
     double step;               /* between neighbouring samples of a boundary at most, 1/1000 em */
