@@ -153,17 +153,27 @@ void mark(const Marks &marks, mt_ring *ring) {
     }
 }
 
+/* Clipper catches what its own allocations throw, and says no more than that it failed. A drawing that it cannot unite, it cannot a second
+ * time. */
+bool unite(const Paths &paths, PolyFillType filled, PolyTree *tree) {
+    for (int tries = 0; tries < 2; tries++) {
+        Clipper clipper;
+        if (!clipper.AddPaths(paths, ptSubject, true)) return true; /* nothing encloses an area */
+        if (clipper.Execute(ctUnion, *tree, filled, filled)) return true;
+        tree->Clear();
+    }
+    return false;
+}
+
 } // namespace
 
 extern "C" mt_status mt_union_unmarked(const mt_rings *rings, mt_rule rule, mt_arena *arena,
                                        mt_shape *shape) try {
     mt_status status = mt_pay_for_union(rings, arena);
     if (status != MT_OK) return status;
-    Clipper clipper;
     PolyTree tree;
-    clipper.AddPaths(paths_of(rings), ptSubject, true);
     PolyFillType filled = rule == MT_POSITIVE ? pftPositive : rule == MT_EVEN_ODD ? pftEvenOdd : pftNonZero;
-    clipper.Execute(ctUnion, tree, filled, filled);
+    if (!unite(paths_of(rings), filled, &tree)) return MT_BAD_GEOMETRY;
     mt_shape made;
     status = shape_of(tree, arena, &made);
     assert(status != MT_OK || mt_shape_is_valid(&made));

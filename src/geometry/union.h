@@ -10,7 +10,7 @@ typedef enum mt_rule { MT_NONZERO, MT_POSITIVE, MT_EVEN_ODD } mt_rule;
 /* The ink of all rings together, as components with holes. Points that survive
  * keep their marks; where edges cross, a new one with mark MT_CROSSING appears. Points in line are dropped.
  * Each ring starts at its lowest, then leftmost point, and components come in the order of these points, as
- * do the holes of each. MT_NO_MEMORY, MT_TOO_LARGE; also where the arena is bounded and crossings take more steps than it has left. */
+ * do the holes of each. MT_NO_MEMORY; MT_BAD_GEOMETRY where Clipper gives up; MT_TOO_LARGE, also where the arena is bounded and crossings take more steps than it has left. */
 mt_status mt_union(const mt_rings *rings, mt_rule rule, mt_arena *arena, mt_shape *shape);
 
 /* The same without marks: all are 0. For counting and measuring: finding marks takes long. As mt_union. */
