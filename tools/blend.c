@@ -18,19 +18,21 @@ static void say_made(const cli_options *options, int i, const outputs *named) {
 
 static int save(cli_work *work, const outputs *named) {
     const cli_options *options = work->options;
-    int failed;
+    int failed, unsaid = 0;
     const mt_saving saving = {.t = options->at,
                               .count = named->count,
                               .paths = (const char *const *)named->paths,
                               .made = work_made,
                               .user = work,
-                              .lengths = named->lengths};
+                              .lengths = named->lengths,
+                              .unsaid = &unsaid};
     mt_status status = mt_blend_save_when(work->blend, &saving, &failed);
     if (status != MT_OK && failed >= 0) {
         progress_erase(&work->bar);
         return fail_status(named->paths[failed], status);
     }
     if (status != MT_OK) return work_fail(work, status);
+    work_say_unsaid(options, unsaid);
     for (int i = 0; options->verbose && i < named->count; i++) say_made(options, i, named);
     work_say_proved(work);
     return DONE;

@@ -46,7 +46,7 @@ static int save(variables *all) {
     mt_sink sinks[2];
     const mt_sink *also[2] = {NULL, NULL};
     size_t lengths[2];
-    int failed;
+    int failed, unsaid = 0;
     for (int i = 0; i < all->count; i++) {
         const cli_options *options = all->works[i].options;
         paths[i] = options->output;
@@ -54,10 +54,15 @@ static int save(variables *all) {
         sinks[i] = mt_report_sink(&all->figures[i]);
         if (options->own_stops && !options->quiet) also[i] = &sinks[i];
     }
-    const mt_saving saving = {
-        .count = all->count, .paths = paths, .made = all_made, .user = all, .lengths = lengths};
+    const mt_saving saving = {.count = all->count,
+                              .paths = paths,
+                              .made = all_made,
+                              .user = all,
+                              .lengths = lengths,
+                              .unsaid = &unsaid};
     mt_status status = mt_variables_save_when(list, also, &saving, &failed);
     if (status != MT_OK) return fail_all(all, status, failed);
+    work_say_unsaid(all->works[0].options, unsaid);
     for (int i = 0; i < all->count; i++) {
         const cli_options *options = all->works[i].options;
         if (options->verbose)

@@ -298,6 +298,14 @@ static mt_status explain_slant(const cli_work *work, mt_row *row) {
     return status;
 }
 
+void work_say_unsaid(const cli_options *options, int unsaid) {
+    if (unsaid > 0 && !options->quiet)
+        say("%s: features.fea has no words for %d rule%s, lookup%s or feature%s of the layout, and leaves %s "
+            "out",
+            options->output, unsaid, unsaid == 1 ? "" : "s", unsaid == 1 ? "" : "s", unsaid == 1 ? "" : "s",
+            unsaid == 1 ? "it" : "them");
+}
+
 void work_say_proved(const cli_work *work) {
     const mt_row *row = work->variable ? &work->variable->row : &work->blend->row;
     const char *of = row->font_count > 2 ? ", counted between every two fonts" : "";

@@ -54,6 +54,8 @@ mt_status work_warn(const cli_work *work);
 /* Says which glyphs could not be blended and which had no partner, once all fonts are made. COULD_NOT with --strict and any of them,
  * otherwise DONE. */
 int work_failures(cli_work *work);
+/* Says what the features.fea of UFOs cannot say, in one line; nothing with --quiet, or where it says all. */
+void work_say_unsaid(const cli_options *options, int unsaid);
 /* With --verbose, says of how many glyphs of the fonts that were made the topology is proved. */
 void work_say_proved(const cli_work *work);
 /* The same as what a strip or a sheet calls when its fonts are made; the user data is the work. */

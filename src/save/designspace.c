@@ -85,7 +85,7 @@ mt_status mt_designspace_add(mt_designspace *designspace, const mt_font_data *da
     mt_folder inner = {.temporary = mt_new(room, 1)};
     if (!inner.temporary) return MT_NO_MEMORY;
     snprintf(inner.temporary, room, "%s/%s", designspace->folder.temporary, master->file);
-    status = mt_ufo_write(data, &inner);
+    status = mt_ufo_write(data, &inner, &designspace->unsaid);
     designspace->length += inner.length;
     mt_free(inner.temporary);
     return status;

@@ -14,6 +14,7 @@ typedef struct mt_designspace {
     struct mt_master *masters;
     const mt_variable *variable;
     size_t length; /* of all files, bytes */
+    int unsaid;    /* the most of one master, as mt_ufo_write has it */
 } mt_designspace;
 
 /* Where the folder of the masters goes: NAME-masters for NAME.designspace; from mt_new, NULL when out of memory. */

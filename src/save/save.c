@@ -46,6 +46,7 @@ typedef struct mt_product {
     mt_designspace designspace;
     const mt_variable *variable; /* of a designspace */
     int first;                   /* of what is to be placed, its first */
+    int unsaid;                  /* as mt_ufo_write has it */
 } mt_product;
 
 static bool has_overlaps(const mt_font_data *data) {
@@ -75,7 +76,7 @@ static mt_status make_product(const mt_font_data *data, mt_product *product) {
     mt_status status;
     if (product->format == MT_FONT_UFO) {
         status = mt_folder_begin(product->path, &product->folder);
-        if (status == MT_OK) status = mt_ufo_write(data, &product->folder);
+        if (status == MT_OK) status = mt_ufo_write(data, &product->folder, &product->unsaid);
         product->length = product->folder.length;
         return status;
     }
@@ -94,6 +95,7 @@ static mt_status add_master(const mt_font_data *data, int place, mt_product *pro
 static mt_status end_designspace(mt_product *product, mt_file_set *set) {
     mt_status status = mt_designspace_end(&product->designspace, set);
     product->length = product->designspace.length;
+    product->unsaid = product->designspace.unsaid;
     return status;
 }
 
@@ -167,7 +169,11 @@ static mt_status place(mt_products *products) {
     status = place_set(products, &set);
     mt_file_set_free(&set);
     if (status != MT_OK) return status;
-    for (int i = 0; saving->lengths && i < saving->count; i++) saving->lengths[i] = products->list[i].length;
+    for (int i = 0; i < saving->count; i++) {
+        const mt_product *product = &products->list[i];
+        if (saving->lengths) saving->lengths[i] = product->length;
+        if (saving->unsaid && product->unsaid > *saving->unsaid) *saving->unsaid = product->unsaid;
+    }
     return MT_OK;
 }
 

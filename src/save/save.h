@@ -27,6 +27,8 @@ typedef struct mt_saving {
                                     * other than MT_OK ends the saving */
     void *user;
     size_t *lengths; /* filled in with the bytes that each file or directory has, unless NULL */
+    int *
+        unsaid; /* raised to the rules, lookups and features that the features.fea of one UFO cannot say, unless NULL */
 } mt_saving;
 
 /* The bytes of a font as WOFF2, for mt_bytes_free, in the way that keeps what `data`, of which they were written, asks for.

@@ -141,7 +141,7 @@ static mt_status check(const mt_font_data *data, mt_arena *arena) {
     return extents ? mt_extents_fill(data->glyphs, data->glyph_count, extents) : MT_NO_MEMORY;
 }
 
-mt_status mt_ufo_write(const mt_font_data *data, mt_folder *folder) {
+mt_status mt_ufo_write(const mt_font_data *data, mt_folder *folder, int *unsaid) {
     mt_arena arena = {0};
     mt_ufo_glyphs glyphs;
     mt_fea fea = {0};
@@ -156,6 +156,7 @@ mt_status mt_ufo_write(const mt_font_data *data, mt_folder *folder) {
     if (status == MT_OK && fea.text.length)
         status = mt_folder_add_file(folder, "features.fea", fea.text.bytes, fea.text.length);
     if (status == MT_OK) status = write_glyphs(data, &glyphs, &fea, &arena, folder);
+    if (fea.unsaid > *unsaid) *unsaid = fea.unsaid;
     mt_buffer_free(&fea.text);
     mt_arena_release(&arena);
     return status;

@@ -192,7 +192,12 @@ class Names(cli.Test):
             with ttLib.TTFont(self.path(file), lazy=False) as font:
                 font['GSUB'].table.FeatureList.FeatureRecord[0].FeatureTag = ' RQD'
                 font.save(self.path(file))
-        self.assertEqual(self.made('blend', 'a.ttf', 'b.ttf', '-q', '-o', 'x.ufo'), [])
+        for command, output in (('blend', 'x.ufo'), ('variable', 'x.designspace')):
+            lines = self.made(command, 'a.ttf', 'b.ttf', '-o', output)
+            self.assertEqual([line for line in lines if 'features.fea' in line],
+                             [f'morphotype: {output}: features.fea has no words for 1 rule, lookup or feature of the layout, '
+                              'and leaves it out'])
+            self.assertEqual(self.made(command, 'a.ttf', 'b.ttf', '-q', '-o', output), [])
         text = self.directory.joinpath('x.ufo', 'features.fea').read_text()
         self.assertRegex(text.splitlines()[0], '^# Left out, .*: 1 rules, lookups or features$')
 

@@ -55,10 +55,12 @@ static void write_sample(const char *path) {
     mt_arena arena = {0};
     mt_folder folder;
     mt_font_data data = with_composite(&arena);
+    int unsaid = 0;
     data.kerning = &kerning;
     data.curves = MT_CURVES_QUADRATIC;
     mt_assert_ok(mt_folder_begin(path, &folder));
-    mt_assert_ok(mt_ufo_write(&data, &folder));
+    mt_assert_ok(mt_ufo_write(&data, &folder, &unsaid));
+    assert_int_equal(unsaid, 0);
     mt_assert_ok(mt_folder_place(&folder, MT_UFO_MARK));
     mt_folder_free(&folder);
     mt_arena_release(&arena);
