@@ -12,6 +12,7 @@
 #include FT_OUTLINE_H
 
 #include <math.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -522,6 +523,68 @@ static void survives_want_of_memory(void **state) {
     mt_test_want_of_memory(use);
 }
 
+/* ---- handles in threads ---------------------------------------------------------------------------------- */
+
+typedef struct host_thread {
+    pthread_t thread;
+    const char *sans, *serif;
+    mt_status status;
+    uint8_t *bytes[2]; /* a blend, and a variable font */
+    size_t lengths[2];
+} host_thread;
+
+static mt_status make_variable(mt_font *const *fonts, const mt_params *params, const uint32_t *letters,
+                               int count, host_thread *host) {
+    mt_variable *variable = NULL;
+    mt_status status = mt_variable_new(fonts, 2, params, &variable);
+    if (status == MT_OK) status = mt_variable_set_chars(variable, letters, count);
+    if (status == MT_OK) status = mt_variable_font(variable, &host->bytes[1], &host->lengths[1]);
+    mt_variable_free(variable);
+    return status;
+}
+
+/* Opens the fonts for itself, and makes both fonts with two threads of its own. */
+static void *make_both(void *user) {
+    host_thread *host = user;
+    const uint32_t letters[] = {'A', 'g', 'k'};
+    mt_params params = mt_params_default();
+    mt_font *fonts[2] = {NULL, NULL};
+    mt_blend *blend = NULL;
+    params.threads = 2;
+    host->status = mt_font_open(host->sans, &fonts[0]);
+    if (host->status == MT_OK) host->status = mt_font_open(host->serif, &fonts[1]);
+    if (host->status == MT_OK) host->status = mt_blend_new(fonts[0], fonts[1], &params, &blend);
+    if (host->status == MT_OK) host->status = mt_blend_set_chars(blend, letters, 3);
+    if (host->status == MT_OK) host->status = mt_blend_font(blend, 0.5, &host->bytes[0], &host->lengths[0]);
+    if (host->status == MT_OK) host->status = make_variable(fonts, &params, letters, 3, host);
+    mt_blend_free(blend);
+    mt_font_close(fonts[0]);
+    mt_font_close(fonts[1]);
+    return NULL;
+}
+
+/* Different handles in different threads have nothing in common: all make the same bytes. */
+static void threads_with_handles_of_their_own(void **state) {
+    (void)state;
+    enum { HOSTS = 4 };
+    host_thread hosts[HOSTS] = {0};
+    for (int i = 0; i < HOSTS; i++) {
+        hosts[i].sans = demo_path(SANS);
+        hosts[i].serif = demo_path(SERIF);
+        assert_int_equal(pthread_create(&hosts[i].thread, NULL, make_both, &hosts[i]), 0);
+    }
+    for (int i = 0; i < HOSTS; i++) assert_int_equal(pthread_join(hosts[i].thread, NULL), 0);
+    for (int i = 0; i < HOSTS; i++) {
+        mt_assert_ok(hosts[i].status);
+        for (int k = 0; k < 2; k++) {
+            assert_int_equal(hosts[i].lengths[k], hosts[0].lengths[k]);
+            assert_memory_equal(hosts[i].bytes[k], hosts[0].bytes[k], hosts[0].lengths[k]);
+        }
+    }
+    for (int i = 0; i < HOSTS; i++)
+        for (int k = 0; k < 2; k++) mt_bytes_free(hosts[i].bytes[k]);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_version_is_the_header_s),
@@ -538,6 +601,7 @@ int main(void) {
         cmocka_unit_test(variable_fonts_stop_too),
         cmocka_unit_test(a_report_is_data_and_a_file),
         cmocka_unit_test(strips_and_specimens_are_files),
+        cmocka_unit_test(threads_with_handles_of_their_own),
         cmocka_unit_test(survives_want_of_memory),
     };
     return cmocka_run_group_tests(tests, mt_test_set_up, mt_test_tear_down);
