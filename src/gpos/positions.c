@@ -10,6 +10,7 @@
 #include "kerning/write.h"
 #include "layout/at_place.h"
 #include "layout/open.h"
+#include "layout/tidy.h"
 #include "sfnt/sfnt.h"
 
 /* ---- the fonts ----------------------------------------------------------------------------------------- */
@@ -22,8 +23,8 @@ typedef struct mt_position_source {
     double scale; /* units of the new font in one of this font's */
 } mt_position_source;
 
-/* GPOS, with the features that hold at the font's place on its axes. */
-static mt_status read_gpos(mt_font *font, mt_arena *arena, mt_bytes *gpos) {
+/* GPOS, with the features that hold at the font's place on its axes, and without what other readers would refuse it for. */
+static mt_status read_gpos(mt_font *font, mt_bytes gdef, mt_arena *arena, mt_bytes *gpos) {
     const int32_t *place;
     int axes = mt_font_place(font, &place);
     mt_bytes placed = {0};
@@ -31,7 +32,10 @@ static mt_status read_gpos(mt_font *font, mt_arena *arena, mt_bytes *gpos) {
     bool varies = axes > 0 && mt_ot_u16(*gpos, 2) > 0;
     if (status == MT_OK && varies) status = mt_layout_place(*gpos, place, axes, arena, &placed);
     if (placed.length) *gpos = placed;
-    return status;
+    uint8_t *own = (uint8_t *)gpos->bytes; /* in the arena */
+    if (status != MT_OK || !gpos->length) return status;
+    mt_tidy_mark_sets(own, gpos->length, mt_mark_sets_of(gdef));
+    return mt_tidy_calls(own, gpos->length, MT_EXTENSION_GPOS, arena);
 }
 
 static mt_status open_source(mt_font *font, int units, mt_arena *arena, mt_position_source *source) {
@@ -39,8 +43,8 @@ static mt_status open_source(mt_font *font, int units, mt_arena *arena, mt_posit
     const int32_t *place;
     int axes = mt_font_place(font, &place);
     *source = (mt_position_source){.font = font, .scale = (double)units / mt_font_units_per_em(font)};
-    mt_status status = read_gpos(font, arena, &gpos);
-    if (status == MT_OK) status = mt_font_table(font, MT_TAG('G', 'D', 'E', 'F'), arena, &gdef);
+    mt_status status = mt_font_table(font, MT_TAG('G', 'D', 'E', 'F'), arena, &gdef);
+    if (status == MT_OK) status = read_gpos(font, gdef, arena, &gpos);
     if (status == MT_OK) status = mt_font_kern(font, arena, &source->kern);
     if (status == MT_OK) status = mt_layout_open(gpos, MT_EXTENSION_GPOS, arena, &source->layout);
     if (status == MT_OK) status = mt_gdef_deltas_open(gdef, place, axes, arena, &source->variations);

@@ -3,7 +3,7 @@
 #include <hb-subset.h>
 #include <string.h>
 
-#include "gsub/tidy.h"
+#include "layout/tidy.h"
 #include "layout/lookup_builder.h"
 #include "sfnt/layout_face.h"
 #include "sfnt/sfnt.h"
@@ -26,7 +26,8 @@ static mt_status plain_gdef(mt_bytes gdef, mt_arena *arena, mt_bytes *plain) {
 
 /* ---- what comes out ------------------------------------------------------------------------------------ */
 
-static mt_status take_table(hb_face_t *face, uint32_t tag, mt_arena *arena, mt_bytes *table) {
+/* GDEF comes before GSUB, which names its sets. */
+static mt_status take_table(hb_face_t *face, uint32_t tag, mt_bytes gdef, mt_arena *arena, mt_bytes *table) {
     hb_blob_t *blob = hb_face_reference_table(face, tag);
     unsigned length;
     const char *from = hb_blob_get_data(blob, &length);
@@ -34,10 +35,12 @@ static mt_status take_table(hb_face_t *face, uint32_t tag, mt_arena *arena, mt_b
     if (bytes && length) memcpy(bytes, from, length);
     hb_blob_destroy(blob);
     if (!bytes) return MT_NO_MEMORY;
-    if (tag == MT_TAG('G', 'S', 'U', 'B')) mt_tidy_scripts(bytes, length);
-    if (tag == MT_TAG('G', 'D', 'E', 'F')) mt_tidy_classes(bytes, length);
     *table = (mt_bytes){bytes, length};
-    return MT_OK;
+    if (tag == MT_TAG('G', 'D', 'E', 'F')) mt_tidy_classes(bytes, length);
+    if (tag != MT_TAG('G', 'S', 'U', 'B') || length == 0) return MT_OK;
+    mt_tidy_scripts(bytes, length);
+    mt_tidy_mark_sets(bytes, length, mt_mark_sets_of(gdef));
+    return mt_tidy_calls(bytes, length, MT_EXTENSION_GSUB, arena);
 }
 
 /* Whether the subsetter keeps these glyphs and no other, in their order. */
@@ -57,8 +60,9 @@ static mt_status subset(hb_face_t *face, const hb_subset_input_t *input, const u
     hb_face_t *made = *held ? hb_subset_plan_execute_or_fail(plan) : NULL;
     mt_status status = MT_OK;
     if (made) {
-        status = take_table(made, MT_TAG('G', 'S', 'U', 'B'), arena, &tables->gsub);
-        if (status == MT_OK) status = take_table(made, MT_TAG('G', 'D', 'E', 'F'), arena, &tables->gdef);
+        status = take_table(made, MT_TAG('G', 'D', 'E', 'F'), (mt_bytes){0}, arena, &tables->gdef);
+        if (status == MT_OK)
+            status = take_table(made, MT_TAG('G', 'S', 'U', 'B'), tables->gdef, arena, &tables->gsub);
         hb_face_destroy(made);
     }
     hb_subset_plan_destroy(plan);

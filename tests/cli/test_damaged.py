@@ -55,6 +55,53 @@ class Damaged(cli.Test):
         self.assertEqual(self.blend('order.ttf', font), 0)
         self.assertIn('GSUB', TTFont(self.path('x.ttf')))
 
+    def with_features(self, text):
+        font = TTFont(CORPUS / 'plain.ttf')
+        addOpenTypeFeaturesFromString(font, text)
+        font.save(self.path('features.ttf'))
+        return self.path('features.ttf').read_bytes()
+
+    def sanitized(self, font):
+        """The GSUB of a blend of it."""
+        self.assertEqual(self.blend('font.ttf', font), 0)
+        return TTFont(self.path('x.ttf'))['GSUB'].table
+
+    def test_script_without_a_default(self):
+        font = self.with_features("""
+            languagesystem DFLT dflt; languagesystem latn dflt; languagesystem latn DEU; feature liga { sub a e by i; } liga;""")
+        def first_script(gsub):
+            scripts, = struct.unpack('>H', gsub[4:6])
+            self.assertEqual(gsub[scripts + 2:scripts + 6], b'DFLT')
+            return scripts + struct.unpack('>H', gsub[scripts + 6:scripts + 8])[0], 0
+        gsub = self.sanitized(self.changed(font, 'GSUB', first_script))
+        self.assertEqual([record.ScriptTag for record in gsub.ScriptList.ScriptRecord], ['latn'])
+
+    def test_mark_set_that_there_is_not(self):
+        """The second of two, for lookups of GSUB and of GPOS."""
+        font = self.with_features("""
+            feature liga { lookup one { lookupflag UseMarkFilteringSet [n]; sub a e by i; } one;
+                           lookup two { lookupflag UseMarkFilteringSet [i]; sub e a by n; } two; } liga;
+            feature kern { lookupflag UseMarkFilteringSet [i]; pos a e 100; } kern;""")
+        def count_of_sets(gdef):
+            sets, = struct.unpack('>H', gdef[12:14])
+            self.assertEqual(struct.unpack('>H', gdef[sets + 2:sets + 4]), (2,))
+            return sets + 2, 1
+        self.assertEqual(self.blend('sets.ttf', self.changed(font, 'GDEF', count_of_sets)), 0)
+        gpos = TTFont(self.path('x.ttf'))['GPOS'].table
+        self.assertEqual({lookup.LookupFlag for lookup in gpos.LookupList.Lookup}, {0})
+
+    def test_call_beyond_the_input(self):
+        font = self.with_features("""lookup one { sub a by i; } one; lookup two { sub e by n; } two;
+            feature calt { sub a' lookup one e' lookup two; } calt;""")
+        calls = struct.pack('>HHHH', 0, 0, 1, 1)
+        def first_call(gsub):
+            self.assertEqual(gsub.count(calls), 1)
+            return gsub.index(calls), 0xFFFF
+        gsub = self.sanitized(self.changed(font, 'GSUB', first_call))
+        rule, = (table.ExtSubTable for lookup in gsub.LookupList.Lookup for table in lookup.SubTable
+                 if table.ExtensionLookupType == 5)
+        self.assertEqual([(call.SequenceIndex, call.LookupListIndex) for call in rule.SubstLookupRecord], [(1, 1)])
+
     def test_by_a_seed(self):
         paths = [cli.SANS_BOLD, *sorted(path for path in CORPUS.iterdir() if path.suffix in ('.ttf', '.otf', '.ttc'))]
         for name, font in damaged_fonts.fonts(paths, FONTS, 1):
