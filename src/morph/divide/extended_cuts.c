@@ -144,21 +144,26 @@ typedef struct mt_end {
     mt_direction along, out;
     mt_direction start, finish; /* how both sides go on beyond the cut, for each unit out of the part */
     double meet;                /* how far out they meet; INFINITY: nowhere */
-    double
-        turn; /* of the part, at the cut: half a turn where a stroke ends, none where the cut is in its side */
+    double turn;                /* of the part at the cut, as turn_at has it */
 } mt_end;
+
+static mt_direction bent(mt_direction way, mt_direction inwards) {
+    mt_direction beside = {-way.y, way.x};
+    double bend = dot(beside, inwards) > 0 ? BEND : -BEND;
+    return (mt_direction){way.x + bend * beside.x, way.y + bend * beside.y};
+}
 
 /* A side of the part goes on beyond the cut as it is drawn, but for BEND; straight out where it does not lead out, or leads out too
  * slantwise away from the other side. For each unit out. */
 static mt_direction goes_on(mt_direction side, mt_direction out, mt_direction inwards) {
     double least = dot(inwards, side) > 0 ? TOWARDS_LEAST : AWAY_LEAST;
-    mt_direction way = dot(out, side) > least ? side : out, beside = {-way.y, way.x};
-    double bend = dot(beside, inwards) > 0 ? BEND : -BEND;
-    way = (mt_direction){way.x + bend * beside.x, way.y + bend * beside.y};
+    mt_direction way = bent(side, inwards);
+    if (dot(out, way) <= least) way = bent(out, inwards);
     double by = dot(out, way);
     return (mt_direction){way.x / by, way.y / by};
 }
 
+/* `at`: the vertex that the edge of the cut leaves; its ends are apart. */
 static mt_end end_at(const mt_ring *ring, int at) {
     int n = ring->count;
     mt_point before = ring->points[(at + n - 1) % n], from = ring->points[at],
@@ -359,7 +364,7 @@ static mt_status extend_side(const mt_extending *e, const mt_cut_side *cut, cons
     mt_status status = list_edges(&cut->parts, e->arena, &edges, &count);
     for (int i = 0; status == MT_OK && i < count; i++) {
         const mt_part_edge *edge = &edges[i], *twin = twin_of(edges, count, edge);
-        if (!twin || edge->part > twin->part) continue;
+        if (!twin || edge->part > twin->part || mt_point_equal(edge->from, edge->to)) continue;
         if (cut->partner[edge->part] < 0 || cut->partner[twin->part] < 0) continue;
         status = extend_at(e, cut, other, (const mt_part_edge *[]){edge, twin}, made);
     }
