@@ -28,29 +28,29 @@ static mt_reduced reduced(double angle) {
     return (mt_reduced){angle - quarters * HALF_PI_1 - quarters * HALF_PI_2 - quarters * HALF_PI_3, bits & 3};
 }
 
+/* The value of a polynomial at s, by Horner's rule; the factors begin with that of the highest power. */
+static inline double polynomial(const double *factors, int count, double s) {
+    double sum = factors[0];
+    for (int i = 1; i < count; i++) sum = factors[i] + s * sum;
+    return sum;
+}
+
+#define POLYNOMIAL(factors, s) polynomial(factors, sizeof(factors) / sizeof *(factors), s)
+
 /* Taylor's series at 0, for |x| up to π/4; what is left out is less than 1e-19 of the result. */
 static double near_sine(double x) {
+    static const double factors[] = {1 / 355687428096e3, -1 / 1307674368e3, 1 / 6227020800., -1 / 39916800.,
+                                     1 / 362880.,        -1 / 5040.,        1 / 120.,        -1 / 6.};
     double s = x * x;
-    double sum = -1 / 1307674368e3 + s * (1 / 355687428096e3);
-    sum = 1 / 6227020800. + s * sum;
-    sum = -1 / 39916800. + s * sum;
-    sum = 1 / 362880. + s * sum;
-    sum = -1 / 5040. + s * sum;
-    sum = 1 / 120. + s * sum;
-    sum = -1 / 6. + s * sum;
-    return x + x * s * sum;
+    return x + x * s * POLYNOMIAL(factors, s);
 }
 
 /* The same, less than 4e-18. */
 static double near_cosine(double x) {
+    static const double factors[] = {1 / 20922789888e3, -1 / 87178291200., 1 / 479001600., -1 / 3628800.,
+                                     1 / 40320.,        -1 / 720.,         1 / 24.};
     double s = x * x;
-    double sum = -1 / 87178291200. + s * (1 / 20922789888e3);
-    sum = 1 / 479001600. + s * sum;
-    sum = -1 / 3628800. + s * sum;
-    sum = 1 / 40320. + s * sum;
-    sum = -1 / 720. + s * sum;
-    sum = 1 / 24. + s * sum;
-    return 1 - (s / 2 - s * s * sum);
+    return 1 - (s / 2 - s * s * POLYNOMIAL(factors, s));
 }
 
 /* The sine of an angle, `ahead` quarter turns further. */
@@ -96,11 +96,11 @@ static double arc(double y, double x) {
         0x1.819d0b7158a4dp-1,
         M_PI_4,
     };
+    static const double factors[] = {1 / 11., -1 / 9., 1 / 7., -1 / 5., 1 / 3.};
     double ratio = 16 * (y / x);
     int near = ratio >= 0 ? (int)(ratio + 0.5) : 0; /* 0 for what is no number */
     double rest = (16 * y - near * x) / (16 * x + near * y), s = rest * rest;
-    double sum = 1 / 3. - s * (1 / 5. - s * (1 / 7. - s * (1 / 9. - s * (1 / 11.))));
-    return of_sixteenths[near] + (rest - rest * s * sum);
+    return of_sixteenths[near] + (rest - rest * s * POLYNOMIAL(factors, s));
 }
 
 double mt_atan2(double y, double x) {
