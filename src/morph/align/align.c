@@ -67,20 +67,11 @@ typedef struct mt_grid {
     uint8_t *moves; /* (n + 1) × (m + 1): the last step to each cell */
 } mt_grid;
 
-/* The costs of all pairs, and what advancing over each view costs at least. */
 static mt_status fill_costs(mt_grid *g, const mt_cost_weights *weights, mt_arena *arena) {
     mt_columns columns;
     mt_status status = mt_columns_of(g->b.views, g->m, arena, &columns);
-    for (int j = 0; j < g->m; j++) g->least_b[j] = INFINITY;
-    for (int i = 0; status == MT_OK && i < g->n; i++) {
-        float *restrict row = g->costs + (size_t)i * (size_t)g->m, *restrict column = g->least_b,
-                        least = INFINITY;
-        mt_step_costs(weights, &g->a.views[i], &columns, 0, g->m, row);
-        for (int j = 0; j < g->m; j++) least = row[j] < least ? row[j] : least;
-        for (int j = 0; j < g->m; j++) column[j] = row[j] < column[j] ? row[j] : column[j];
-        g->least_a[i] = least * g->a.weight[i];
-    }
-    for (int j = 0; j < g->m; j++) g->least_b[j] *= g->b.weight[j];
+    for (int i = 0; status == MT_OK && i < g->n; i++)
+        mt_step_costs(weights, &g->a.views[i], &columns, 0, g->m, g->costs + (size_t)i * (size_t)g->m);
     return status;
 }
 
@@ -97,17 +88,12 @@ static void rotate(const mt_grid *g, const float *values, int first, int end, fl
     }
 }
 
-/* What is left to pay, at least, from each row and from each column on. */
-static void sum_rests(mt_grid *g) {
+/* What is left to pay, at least, after each row or column: the sum of what the views after it cost. */
+static void sum_rests(const float *least, int count, int start, float *rests) {
     double sum = 0;
-    for (int i = g->n; i >= 0; i--) {
-        g->rest_a[i] = (float)sum;
-        sum += g->least_a[(g->start_a + i) % g->n];
-    }
-    sum = 0;
-    for (int j = g->m; j >= 0; j--) {
-        g->rest_b[j] = (float)sum;
-        sum += g->least_b[(g->start_b + j) % g->m];
+    for (int i = count; i >= 0; i--) {
+        rests[i] = (float)sum;
+        sum += least[(start + i) % count];
     }
 }
 
@@ -184,7 +170,8 @@ static float rounded_up(const mt_grid *g, float most) {
  * doubled until one is found: the less it may, the fewer cells can be on it. */
 static float find_cheapest(mt_grid *g, float most) {
     rotate(g, g->b.weight, 0, g->m + 1, g->weights);
-    sum_rests(g);
+    sum_rests(g->least_a, g->n, g->start_a, g->rest_a);
+    sum_rests(g->least_b, g->m, g->start_b, g->rest_b);
     float least = g->rest_a[0] + g->rest_b[0], over = fmaxf(least * GUESS_SHARE, GUESS_LEAST), cost;
     do {
         g->most = rounded_up(g, fminf(most, least + over));
@@ -213,16 +200,21 @@ static void read_back(const mt_grid *g, mt_alignment *alignment) {
 
 /* ---- the start ----------------------------------------------------------------------------------------- */
 
-static int cheapest_view(const mt_grid *g) {
-    float least = INFINITY;
-    int cheapest = 0;
-    for (int i = 0; i < g->n; i++)
-        for (int j = 0; j < g->m; j++)
-            if (cost_at(g, i, j) < least) {
-                least = cost_at(g, i, j);
-                cheapest = i;
-            }
-    return cheapest;
+/* What advancing over each view costs at least, and the view of A with the cheapest pair, to start at. */
+static void find_least(mt_grid *g) {
+    float cheapest = INFINITY;
+    for (int j = 0; j < g->m; j++) g->least_b[j] = INFINITY;
+    for (int i = 0; i < g->n; i++) {
+        const float *restrict row = g->costs + (size_t)i * (size_t)g->m;
+        float *restrict column = g->least_b, least = INFINITY;
+        for (int j = 0; j < g->m; j++) least = row[j] < least ? row[j] : least;
+        for (int j = 0; j < g->m; j++) column[j] = row[j] < column[j] ? row[j] : column[j];
+        g->least_a[i] = least * g->a.weight[i];
+        if (least >= cheapest) continue;
+        cheapest = least;
+        g->start_a = i;
+    }
+    for (int j = 0; j < g->m; j++) g->least_b[j] *= g->b.weight[j];
 }
 
 /* Whether a view of B suits a view of A better than those beside it do. */
@@ -278,7 +270,7 @@ static mt_status start_grid(const mt_cost_weights *weights, const mt_links *pins
     mt_status status = fill_costs(g, weights, arena);
     if (status != MT_OK) return status;
     pin(g, pins);
-    g->start_a = cheapest_view(g);
+    find_least(g);
     return MT_OK;
 }
 
