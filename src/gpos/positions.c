@@ -34,8 +34,7 @@ static mt_status read_gpos(mt_font *font, mt_bytes gdef, mt_arena *arena, mt_byt
     if (placed.length) *gpos = placed;
     uint8_t *own = (uint8_t *)gpos->bytes; /* in the arena */
     if (status != MT_OK || !gpos->length) return status;
-    mt_tidy_mark_sets(own, gpos->length, mt_mark_sets_of(gdef));
-    return mt_tidy_calls(own, gpos->length, MT_EXTENSION_GPOS, arena);
+    return mt_tidy_lookups(own, gpos->length, MT_EXTENSION_GPOS, gdef, arena);
 }
 
 static mt_status open_source(mt_font *font, int units, mt_arena *arena, mt_position_source *source) {

@@ -3,8 +3,8 @@
 #include <hb-subset.h>
 #include <string.h>
 
-#include "layout/tidy.h"
 #include "layout/lookup_builder.h"
+#include "layout/tidy.h"
 #include "sfnt/layout_face.h"
 #include "sfnt/sfnt.h"
 
@@ -39,8 +39,7 @@ static mt_status take_table(hb_face_t *face, uint32_t tag, mt_bytes gdef, mt_are
     if (tag == MT_TAG('G', 'D', 'E', 'F')) mt_tidy_classes(bytes, length);
     if (tag != MT_TAG('G', 'S', 'U', 'B') || length == 0) return MT_OK;
     mt_tidy_scripts(bytes, length);
-    mt_tidy_mark_sets(bytes, length, mt_mark_sets_of(gdef));
-    return mt_tidy_calls(bytes, length, MT_EXTENSION_GSUB, arena);
+    return mt_tidy_lookups(bytes, length, MT_EXTENSION_GSUB, gdef, arena);
 }
 
 /* Whether the subsetter keeps these glyphs and no other, in their order. */

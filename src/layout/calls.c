@@ -3,9 +3,8 @@
 
 #include "layout/rule.h"
 
-/* NESTING_MAX: levels of lookups, as HarfBuzz has it (HB_MAX_NESTING_LEVEL). NUMBERS_MAX: of rules and records that are read; a
- * table whose parts share bytes can hold more than there is memory. The largest fonts have a hundredth. */
-enum { NESTING_MAX = 64, NUMBERS_MAX = 1 << 22 };
+/* Levels of lookups, as HarfBuzz has it (HB_MAX_NESTING_LEVEL). */
+enum { NESTING_MAX = 64 };
 
 typedef struct mt_calls_reader {
     bool *called; /* by the lookup at hand, one for each lookup */
@@ -14,46 +13,21 @@ typedef struct mt_calls_reader {
 
 /* ---- one lookup ---------------------------------------------------------------------------------------- */
 
-/* As many records as lie within the table. */
-static void read_rule(mt_calls_reader *reader, mt_bytes table, bool chained, size_t from, int first) {
-    mt_rule_layout rule = mt_find_rule(table, chained, from, first);
-    int fit = mt_ot_fit(table, rule.calls_at, (unsigned)rule.call_count, 4);
-    reader->left -= fit + 1;
+/* An mt_rule_seen: as many records as lie within the table. */
+static void read_rule(mt_bytes table, bool chained, size_t from, const mt_rule_layout *rule, void *user) {
+    mt_calls_reader *reader = user;
+    int fit = mt_ot_fit(table, rule->calls_at, (unsigned)rule->call_count, 4);
+    (void)chained, (void)from;
+    reader->left -= fit;
     for (int i = 0; i < fit && reader->left >= 0; i++) {
-        unsigned lookup = mt_ot_u16(table, rule.calls_at + 4 * (size_t)i + 2);
+        unsigned lookup = mt_ot_u16(table, rule->calls_at + 4 * (size_t)i + 2);
         if (lookup < (unsigned)reader->lookup_count) reader->called[lookup] = true;
     }
 }
 
-static void read_sets(mt_calls_reader *reader, mt_bytes table, bool chained) {
-    size_t at = mt_rule_sets_at(mt_ot_u16(table, 0), chained);
-    int sets = mt_ot_fit(table, at + 2, mt_ot_u16(table, at), 2);
-    for (int i = 0; i < sets && reader->left >= 0; i++) {
-        mt_bytes set = mt_ot_follow(table, at + 2 + 2 * (size_t)i);
-        int rules = mt_ot_fit(set, 2, mt_ot_u16(set, 0), 2);
-        reader->left--;
-        for (int k = 0; k < rules && reader->left >= 0; k++)
-            read_rule(reader, mt_ot_follow(set, 2 + 2 * (size_t)k), chained, 0, 1);
-    }
-}
-
-/* Contexts are the types 5 and 6 of GSUB, and 7 and 8 of GPOS. */
 static void read_lookup(mt_calls_reader *reader, const mt_layout *layout, int index) {
-    mt_lookup lookup = mt_layout_lookup(layout, index);
-    int plain = layout->extension == MT_EXTENSION_GSUB ? 5 : 7;
-    bool chained = lookup.type == plain + 1;
     for (int i = 0; i < reader->lookup_count; i++) reader->called[i] = false;
-    if (lookup.type != plain && !chained) return;
-    for (int i = 0; i < lookup.subtable_count && reader->left >= 0; i++) {
-        mt_bytes table = mt_lookup_subtable(&lookup, i);
-        reader->left--;
-        switch (mt_ot_u16(table, 0)) {
-        case 1:
-        case 2: read_sets(reader, table, chained); break;
-        case 3: read_rule(reader, table, chained, 2, 0); break;
-        default: break;
-        }
-    }
+    mt_each_rule(layout, index, &reader->left, read_rule, reader);
 }
 
 /* ---- circles ------------------------------------------------------------------------------------------- */
@@ -105,7 +79,7 @@ mt_status mt_calls_read(const mt_layout *layout, mt_arena *arena, mt_calls *call
     mt_calls made = {0};
     *calls = made;
     if (count == 0) return MT_OK;
-    mt_calls_reader reader = {mt_new((size_t)count, sizeof(bool)), count, NUMBERS_MAX};
+    mt_calls_reader reader = {mt_new((size_t)count, sizeof(bool)), count, MT_RULE_NUMBERS_MAX};
     made.first = mt_arena_new(arena, (size_t)count + 1, sizeof *made.first);
     mt_status status = reader.called && made.first ? read_all(&reader, layout, arena, &made) : MT_NO_MEMORY;
     if (status == MT_OK) status = check_circles(&made, count);

@@ -84,7 +84,8 @@ void mt_tidy_scripts(uint8_t *gsub, size_t length) {
 
 /* ---- lookups ------------------------------------------------------------------------------------------- */
 
-unsigned mt_mark_sets_of(mt_bytes gdef) {
+/* How many mark glyph sets there are (OpenType spec, "Mark Glyph Sets Table"). */
+static unsigned mark_sets_of(mt_bytes gdef) {
     return mt_ot_u16(gdef, 2) >= 2 ? mt_ot_u16(mt_ot_follow(gdef, 12), 2) : 0;
 }
 
@@ -96,7 +97,7 @@ static void tidy_mark_set(uint8_t *bytes, size_t length, size_t lookup, unsigned
     put_16(bytes + lookup + 2, flag & ~(unsigned)MT_LOOKUP_MARK_SET);
 }
 
-void mt_tidy_mark_sets(uint8_t *bytes, size_t length, unsigned sets) {
+static void tidy_mark_sets(uint8_t *bytes, size_t length, unsigned sets) {
     mt_bytes table = {bytes, length};
     size_t lookups = mt_ot_u16(table, 8);
     unsigned count = lookups ? mt_ot_u16(table, lookups) : 0;
@@ -104,60 +105,34 @@ void mt_tidy_mark_sets(uint8_t *bytes, size_t length, unsigned sets) {
         tidy_mark_set(bytes, length, lookups + mt_ot_u16(table, lookups + 2 + 2 * (size_t)i), sets);
 }
 
-/* ---- calls of rules ------------------------------------------------------------------------------------ */
-
-/* Rules that are read at most: parts of a table that share bytes can be more than there is time for. */
-enum { RULES_MAX = 1 << 22 };
-
 typedef struct mt_calls_tidier {
     uint8_t *table;
     unsigned lookup_count;
-    bool chained;
-    int left; /* rules */
 } mt_calls_tidier;
 
-static void tidy_rule(mt_calls_tidier *tidier, mt_bytes table, size_t from, int first) {
-    mt_rule_layout rule = mt_find_rule(table, tidier->chained, from, first);
+/* An mt_rule_seen: keeps the calls of lookups that there are, at places of the input. */
+static void tidy_rule(mt_bytes table, bool chained, size_t from, const mt_rule_layout *rule, void *user) {
+    const mt_calls_tidier *tidier = user;
     unsigned kept = 0;
-    tidier->left--;
-    if (!rule.whole) return;
-    uint8_t *bytes = tidier->table + (table.bytes - tidier->table), *calls = bytes + rule.calls_at;
-    for (int i = 0; i < rule.call_count; i++) {
-        unsigned place = mt_ot_u16(table, rule.calls_at + 4 * (size_t)i),
-                 lookup = mt_ot_u16(table, rule.calls_at + 4 * (size_t)i + 2);
-        if (place >= (unsigned)rule.counts[MT_INPUT] || lookup >= tidier->lookup_count) continue;
+    if (!rule->whole) return;
+    uint8_t *bytes = tidier->table + (table.bytes - tidier->table), *calls = bytes + rule->calls_at;
+    for (int i = 0; i < rule->call_count; i++) {
+        unsigned place = mt_ot_u16(table, rule->calls_at + 4 * (size_t)i),
+                 lookup = mt_ot_u16(table, rule->calls_at + 4 * (size_t)i + 2);
+        if (place >= (unsigned)rule->counts[MT_INPUT] || lookup >= tidier->lookup_count) continue;
         memmove(calls + 4 * (size_t)kept++, calls + 4 * (size_t)i, 4);
     }
-    put_16(tidier->chained ? calls - 2 : bytes + from + 2, kept);
+    put_16(chained ? calls - 2 : bytes + from + 2, kept);
 }
 
-static void tidy_sets(mt_calls_tidier *tidier, mt_bytes table) {
-    size_t at = mt_rule_sets_at(mt_ot_u16(table, 0), tidier->chained);
-    int sets = mt_ot_fit(table, at + 2, mt_ot_u16(table, at), 2);
-    for (int i = 0; i < sets; i++) {
-        mt_bytes set = mt_ot_follow(table, at + 2 + 2 * (size_t)i);
-        int rules = mt_ot_fit(set, 2, mt_ot_u16(set, 0), 2);
-        for (int k = 0; k < rules && tidier->left > 0; k++)
-            tidy_rule(tidier, mt_ot_follow(set, 2 + 2 * (size_t)k), 0, 1);
-    }
-}
-
-mt_status mt_tidy_calls(uint8_t *bytes, size_t length, int extension, mt_arena *arena) {
-    const int context = extension == MT_EXTENSION_GSUB ? 5 : 7, chained = context + 1;
+mt_status mt_tidy_lookups(uint8_t *bytes, size_t length, int extension, mt_bytes gdef, mt_arena *arena) {
     mt_layout layout = {0};
+    int left = MT_RULE_NUMBERS_MAX;
+    tidy_mark_sets(bytes, length, mark_sets_of(gdef));
     mt_status status = mt_layout_open((mt_bytes){bytes, length}, extension, arena, &layout);
-    mt_calls_tidier tidier = {
-        .table = bytes, .lookup_count = (unsigned)layout.lookup_count, .left = RULES_MAX};
-    for (int i = 0; status == MT_OK && i < layout.lookup_count; i++) {
-        mt_lookup lookup = mt_layout_lookup(&layout, i);
-        tidier.chained = lookup.type == chained;
-        if (lookup.type != context && lookup.type != chained) continue;
-        for (int k = 0; k < lookup.subtable_count && tidier.left > 0; k++) {
-            mt_bytes table = mt_lookup_subtable(&lookup, k);
-            if (mt_ot_u16(table, 0) == 3) tidy_rule(&tidier, table, 2, 0);
-            if (mt_ot_u16(table, 0) == 1 || mt_ot_u16(table, 0) == 2) tidy_sets(&tidier, table);
-        }
-    }
+    mt_calls_tidier tidier = {bytes, (unsigned)layout.lookup_count};
+    for (int i = 0; status == MT_OK && i < layout.lookup_count; i++)
+        mt_each_rule(&layout, i, &left, tidy_rule, &tidier);
     return status;
 }
 
