@@ -30,14 +30,14 @@ void mt_normal_of(double x, double y, double normal[2]) {
     normal[1] = turned ? 0 : -x / length;
 }
 
-mt_vec mt_place_of_view(const mt_frame *f, const mt_sample_view *view) {
+mt_vector mt_place_of_view(const mt_frame *f, const mt_sample_view *view) {
     double width = mt_box_width(f->box), height = mt_box_height(f->box), normal[2];
     mt_normal_of(view->in_x + view->out_x, view->in_y + view->out_y, normal);
     double x = view->x - f->x[0] - f->x[3] * normal[0], y = view->y - f->y[0] - f->y[3] * normal[1],
            determinant = f->x[1] * f->y[2] - f->x[2] * f->y[1];
     double u = (x * f->y[2] - y * f->x[2]) / determinant, v = (y * f->x[1] - x * f->y[1]) / determinant;
-    return (mt_vec){f->box.min.x + width / 2 + u * mt_frame_side(width, height),
-                    f->box.min.y + height / 2 + v * mt_frame_side(height, width)};
+    return (mt_vector){f->box.min.x + width / 2 + u * mt_frame_side(width, height),
+                       f->box.min.y + height / 2 + v * mt_frame_side(height, width)};
 }
 
 static void carry_heading(const mt_frame *f, double heading, double *x, double *y) {

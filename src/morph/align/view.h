@@ -1,7 +1,6 @@
 /* A sample of a boundary as the measure of boundaries sees it. */
 #pragma once
 
-#include "geometry/spline.h"
 #include "morph/align/samples.h"
 #include "morph/model/frame.h"
 
@@ -18,7 +17,7 @@ mt_sample_view mt_sample_view_of(const mt_ring_sample *sample, const mt_frame *f
 mt_sample_view mt_view_of_place(const mt_frame *frame, double x, double y);
 
 /* Where the other glyph has what is seen so: the place in its frame that a view is of, up to its headings. */
-mt_vec mt_place_of_view(const mt_frame *frame, const mt_sample_view *view);
+mt_vector mt_place_of_view(const mt_frame *frame, const mt_sample_view *view);
 
 /* The unit normal to the right of headings whose sum is (x, y); (0, 0) where they cancel each other. */
 void mt_normal_of(double x, double y, double normal[2]);

@@ -57,10 +57,6 @@ typedef struct mt_part_edge {
     int part, at; /* the vertex that it leaves */
 } mt_part_edge;
 
-typedef struct mt_direction {
-    double x, y;
-} mt_direction;
-
 typedef struct mt_extending {
     const mt_side *here, *there; /* as they were before they were cut */
     double flatness;             /* grid units, of the rings */
@@ -118,49 +114,48 @@ static const mt_part_edge *twin_of(const mt_part_edge *edges, int count, const m
 
 /* ---- ends of parts at a cut ------------------------------------------------------------------------------------- */
 
-static mt_direction unit(mt_point from, mt_point to) {
+static mt_vector unit(mt_point from, mt_point to) {
     double x = (double)to.x - from.x, y = (double)to.y - from.y, length = mt_hypot(x, y);
-    return length > 0 ? (mt_direction){x / length, y / length} : (mt_direction){0, 0};
+    return length > 0 ? (mt_vector){x / length, y / length} : (mt_vector){0, 0};
 }
 
-static double dot(mt_direction p, mt_direction q) {
+static double dot(mt_vector p, mt_vector q) {
     return p.x * q.x + p.y * q.y;
 }
 
-/* The ring's turn into an edge and out of it: half a turn where a stroke ends at the edge, none where the edge is in its side. */
-static double turn_at(const mt_ring *ring, int at) {
-    int n = ring->count;
-    mt_point before = ring->points[(at + n - 1) % n], p = ring->points[at], q = ring->points[(at + 1) % n],
-             after = ring->points[(at + 2) % n];
-    mt_direction in = unit(before, p), edge = unit(p, q), out = unit(q, after);
-    return mt_atan2(in.x * edge.y - in.y * edge.x, in.x * edge.x + in.y * edge.y) +
-           mt_atan2(edge.x * out.y - edge.y * out.x, edge.x * out.x + edge.y * out.y);
+static mt_vector reversed(mt_vector p) {
+    return (mt_vector){-p.x, -p.y};
+}
+
+/* From one heading to the next, radians: > 0 to the left. */
+static double turn_between(mt_vector p, mt_vector q) {
+    return mt_atan2(p.x * q.y - p.y * q.x, dot(p, q));
 }
 
 /* A part's end at a cut. */
 typedef struct mt_end {
     mt_point from, to; /* the cut */
     double length;     /* of the cut, grid units */
-    mt_direction along, out;
-    mt_direction start, finish; /* how both sides go on beyond the cut, for each unit out of the part */
-    double meet;                /* how far out they meet; INFINITY: nowhere */
-    double turn;                /* of the part at the cut, as turn_at has it */
+    mt_vector along, out;
+    mt_vector start, finish; /* how both sides go on beyond the cut, for each unit out of the part */
+    double meet;             /* how far out they meet; INFINITY: nowhere */
+    double turn; /* of the part into the cut and out of it: half a turn where a stroke ends, none in a side */
 } mt_end;
 
-static mt_direction bent(mt_direction way, mt_direction inwards) {
-    mt_direction beside = {-way.y, way.x};
+static mt_vector bent(mt_vector way, mt_vector inwards) {
+    mt_vector beside = {-way.y, way.x};
     double bend = dot(beside, inwards) > 0 ? BEND : -BEND;
-    return (mt_direction){way.x + bend * beside.x, way.y + bend * beside.y};
+    return (mt_vector){way.x + bend * beside.x, way.y + bend * beside.y};
 }
 
 /* A side of the part goes on beyond the cut as it is drawn, but for BEND; straight out where it does not lead out, or leads out too
  * slantwise away from the other side. For each unit out. */
-static mt_direction goes_on(mt_direction side, mt_direction out, mt_direction inwards) {
+static mt_vector goes_on(mt_vector side, mt_vector out, mt_vector inwards) {
     double least = dot(inwards, side) > 0 ? TOWARDS_LEAST : AWAY_LEAST;
-    mt_direction way = bent(side, inwards);
+    mt_vector way = bent(side, inwards);
     if (dot(out, way) <= least) way = bent(out, inwards);
     double by = dot(out, way);
-    return (mt_direction){way.x / by, way.y / by};
+    return (mt_vector){way.x / by, way.y / by};
 }
 
 /* `at`: the vertex that the edge of the cut leaves; its ends are apart. */
@@ -168,16 +163,17 @@ static mt_end end_at(const mt_ring *ring, int at) {
     int n = ring->count;
     mt_point before = ring->points[(at + n - 1) % n], from = ring->points[at],
              to = ring->points[(at + 1) % n], after = ring->points[(at + 2) % n];
-    mt_direction along = unit(from, to), back = {-along.x, -along.y}, out = {along.y, -along.x};
-    mt_end end = {from,
-                  to,
-                  sqrt((double)mt_distance2(from, to)),
-                  along,
-                  out,
-                  goes_on(unit(before, from), out, along),
-                  goes_on(unit(after, to), out, back),
-                  INFINITY,
-                  turn_at(ring, at)};
+    mt_vector in = unit(before, from), along = unit(from, to), back = unit(to, after),
+              out = {along.y, -along.x};
+    mt_end end = {.from = from,
+                  .to = to,
+                  .length = sqrt((double)mt_distance2(from, to)),
+                  .along = along,
+                  .out = out,
+                  .start = goes_on(in, out, along),
+                  .finish = goes_on(reversed(back), out, reversed(along)),
+                  .meet = INFINITY,
+                  .turn = turn_between(in, along) + turn_between(along, back)};
     double closing = dot(along, end.start) - dot(along, end.finish);
     if (closing > 0) end.meet = end.length / closing;
     return end;
@@ -226,7 +222,7 @@ static bool is_in_ink(const mt_shape *drawn, const mt_tip *tip) {
     return true;
 }
 
-static mt_point moved(mt_point p, mt_direction direction, double by) {
+static mt_point moved(mt_point p, mt_vector direction, double by) {
     return (mt_point){p.x + (int32_t)lround(direction.x * by), p.y + (int32_t)lround(direction.y * by)};
 }
 
@@ -270,24 +266,24 @@ static int place_of(const mt_ring *ring, const mt_part_edge *edge) {
 }
 
 /* How far out of a part a place lies; 0 where it is not in front of its end. */
-static double beyond(const mt_end *end, mt_vec place) {
-    mt_direction off = {place.x - end->from.x, place.y - end->from.y};
+static double beyond(const mt_end *end, mt_vector place) {
+    mt_vector off = {place.x - end->from.x, place.y - end->from.y};
     double by = dot(end->along, off);
     return by < -end->length || by > 2 * end->length ? 0 : dot(end->out, off);
 }
 
 /* Where the frames carry a sample of the other side. A corner goes to where its two sides go, each moved along its own normal. */
-static mt_vec carried(const mt_extending *e, const mt_ring_sample *sample) {
+static mt_vector carried(const mt_extending *e, const mt_ring_sample *sample) {
     mt_ring_sample in = *sample, out = *sample;
     in.out = sample->in;
     out.in = sample->out;
     mt_sample_view u = mt_sample_view_of(&in, &e->there->frame),
                    v = mt_sample_view_of(&out, &e->there->frame);
-    mt_vec p = mt_place_of_view(&e->here->frame, &u), q = mt_place_of_view(&e->here->frame, &v);
+    mt_vector p = mt_place_of_view(&e->here->frame, &u), q = mt_place_of_view(&e->here->frame, &v);
     double turn = u.in_x * v.in_y - u.in_y * v.in_x, x = q.x - p.x, y = q.y - p.y;
-    if (fabs(turn) < TURN_LEAST) return (mt_vec){p.x + x / 2, p.y + y / 2};
+    if (fabs(turn) < TURN_LEAST) return (mt_vector){p.x + x / 2, p.y + y / 2};
     double ahead = (x * v.in_y - y * v.in_x) / turn;
-    return (mt_vec){p.x + ahead * u.in_x, p.y + ahead * u.in_y};
+    return (mt_vector){p.x + ahead * u.in_x, p.y + ahead * u.in_y};
 }
 
 /* How far out of a part's end its partner reaches, where the frames carry it. */
