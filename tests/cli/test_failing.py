@@ -22,10 +22,6 @@ class Failing(cli.Test):
         count.unlink()
         return result, calls
 
-    def tree(self):
-        return {path.relative_to(self.directory): path.read_bytes()
-                for path in self.directory.rglob('*') if path.is_file()}
-
 
 class Files(Failing):
     """Opening for writing, writing, making a folder, flushing and renaming."""
@@ -34,16 +30,16 @@ class Files(Failing):
     def assert_all_old(self, *arguments, other):
         """The output of `arguments` stays where any call fails as the same is made with the option `other`."""
         self.made(*arguments)
-        before = self.tree()
+        before = self.files()
         for call in itertools.count(1):
             result, calls = self.failing(call, *arguments, *other)
             if result.returncode == 0:
                 break
             self.assertEqual(result.returncode, 1, call)
             self.assertIn('No space left on device', result.stderr.decode())
-            self.assertEqual(self.tree(), before, call)
+            self.assertEqual(self.files(), before, call)
         self.assertEqual(call, calls + 1)
-        self.assertNotEqual(self.tree(), before)
+        self.assertNotEqual(self.files(), before)
 
     def test_three_places(self):
         self.assert_all_old('blend', *PAIR, '--text', 'a', '--at', '0.2,0.5,0.8', '-q', '-o', 'x.ttf', other=('--family', 'Other'))
@@ -67,14 +63,14 @@ class New(Failing):
         """Whatever fails, the same bytes come out, or one line says that memory does not do."""
         result, calls = self.failing(0, *arguments)
         self.assertEqual(result.returncode, 0)
-        right, ended = self.tree(), set()
+        right, ended = self.files(), set()
         for call in range(1, calls, calls // self.STEPS):
             result, _ = self.failing(call, *arguments)
             ended.add(result.returncode)
             if result.returncode:
                 self.assertEqual((result.returncode, result.stderr.count(b'\n')), (1, 1), result.stderr.decode())
                 self.assertIn(b'out of memory', result.stderr)
-            self.assertEqual(self.tree(), right, call)
+            self.assertEqual(self.files(), right, call)
         self.assertIn(1, ended)
 
     def test_blend(self):

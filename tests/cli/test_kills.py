@@ -20,9 +20,9 @@ class Kills(cli.Test):
 
     def tree(self):
         """What has its place; and what is beside it, of a run that has not ended."""
-        files = {path.relative_to(self.directory): path for path in self.directory.rglob('*') if path.is_file()}
-        beside = [name for name in files if name.parts[0].startswith('.morphotype-')]
-        return {name: path.read_bytes() for name, path in files.items() if name not in beside}, beside
+        files = self.files()
+        beside = [path for path in files if path.relative_to(self.directory).parts[0].startswith('.morphotype-')]
+        return {path: digest for path, digest in files.items() if path not in beside}, beside
 
     def clear(self):
         for path in self.directory.iterdir():

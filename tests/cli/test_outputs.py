@@ -24,17 +24,12 @@ def heed_signals():
 class Outputs(cli.Test):
     """A file that may not grow over some bytes stands for a disk that is full: writes fail in the same places."""
 
-    def tree(self):
-        """Every file below the directory, with its bytes."""
-        return {path.relative_to(self.directory): path.read_bytes()
-                for path in self.directory.rglob('*') if path.is_file()}
-
     def fails_when_full(self, most, *arguments):
-        before = self.tree()
+        before = self.files()
         result = self.run_program(*arguments, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (most, most)))
         self.assertEqual(result.returncode, 1, result.stderr.decode())
         self.assertIn('File too large', result.stderr.decode())
-        self.assertEqual(self.tree(), before)
+        self.assertEqual(self.files(), before)
         self.assertEqual([path for path in self.directory.iterdir() if path.name.startswith('.')], [])
 
     def test_fonts_at_several_places(self):
@@ -89,7 +84,7 @@ class Outputs(cli.Test):
     def stopped(self, number):
         """How a run ends that gets a signal when it has begun a UFO beside its place; again, if it was quicker."""
         for _ in range(5):
-            self.before = self.tree()
+            self.before = self.files()
             run = self.begin_ufo()
             run.send_signal(number)
             if run.wait() != 0:
@@ -111,7 +106,7 @@ class Outputs(cli.Test):
         for number in SIGNALS:
             self.assertEqual(self.stopped(number), -number)
             self.assertEqual(list(self.directory.glob('.morphotype-*')), [])
-            after = self.tree()
+            after = self.files()
             self.assertTrue(after == self.before or len(after) > 3000, 'neither all old nor all new')
 
     def test_what_a_killed_run_leaves_goes_with_the_next(self):
