@@ -299,11 +299,11 @@ static mt_status explain_slant(const cli_work *work, mt_row *row) {
 }
 
 void work_say_unsaid(const cli_options *options, int unsaid) {
+    const char *s = unsaid == 1 ? "" : "s";
     if (unsaid > 0 && !options->quiet)
         say("%s: features.fea has no words for %d rule%s, lookup%s or feature%s of the layout, and leaves %s "
             "out",
-            options->output, unsaid, unsaid == 1 ? "" : "s", unsaid == 1 ? "" : "s", unsaid == 1 ? "" : "s",
-            unsaid == 1 ? "it" : "them");
+            options->output, unsaid, s, s, s, unsaid == 1 ? "it" : "them");
 }
 
 void work_say_proved(const cli_work *work) {
