@@ -214,9 +214,9 @@ class Instances(Variable):
 class Ends(Variable):
     """The font at both ends is its sources, within 1/1000 em."""
 
-    def assert_ends(self, fonts, text):
+    def assert_ends(self, fonts, text, truths=None):
         font = self.variable('x.ttf', *fonts, text=text)
-        for place, source in zip((0, 100), fonts):
+        for place, source in zip((0, 100), truths or fonts):
             for character, (*_, apart) in sampled('apart', 'freetype', font, place, source, text=text).items():
                 self.assertLessEqual(apart, 1, (character, place))
 
@@ -226,6 +226,17 @@ class Ends(Variable):
 
     def test_han(self):
         self.assert_ends(HAN_FONTS, HAN)
+
+    def test_sources_that_vary(self):
+        """Each stands at the place that is named, or at its default; MORF is the only axis. fontTools has the sources there."""
+        second, sans = self.path('second.ttf'), cli.DEBIAN / 'truetype/dejavu/DejaVuSans.ttf'
+        self.made('variable', sans, cli.SANS_BOLD, '--axis', 'wght', '--text', LETTERS, '-q', '-o', second)
+        for place, weight in (('', 400), ('@wght=700', 700)):
+            truths = [self.path(name) for name in ('a.ttf', 'b.ttf')]
+            for source, truth in zip((cli.INTER, second), truths):
+                instancer.instantiateVariableFont(ttLib.TTFont(source), {'wght': weight}).save(truth)
+            self.assert_ends((f'{cli.INTER}{place}', f'{second}{place}'), LETTERS, truths)
+            self.assertEqual([axis.axisTag for axis in ttLib.TTFont(self.path('x.ttf'))['fvar'].axes], ['MORF'])
 
 
 class Pixels(Variable):
