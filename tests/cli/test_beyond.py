@@ -5,7 +5,9 @@ import os
 import subprocess
 
 import cli
+import pyclipper
 from fontTools import ttLib
+from fontTools.pens.basePen import BasePen
 
 SAMPLE = os.environ['VARIABLE_SAMPLE']
 LETTERS = ''.join(map(chr, (*range(0x41, 0x5B), *range(0x61, 0x7B), *range(0x30, 0x3A)))) + '&@§éñ'
@@ -18,6 +20,81 @@ def compare(path, other, text):
     rows = [line.split() for line in lines.stdout.decode().splitlines()]
     assert len(rows) == len(text)
     return {chr(int(row[0], 16)): (float(row[1]), float(row[2])) for row in rows}
+
+
+class Polygons(BasePen):
+    """Outlines as polygons, eight lines a curve, in 64ths of a unit."""
+
+    GRID, LINES = 64, 8
+
+    def __init__(self, glyphs):
+        super().__init__(glyphs)
+        self.rings = []
+
+    def _moveTo(self, point):
+        self.rings.append([])
+        self._lineTo(point)
+
+    def _lineTo(self, point):
+        self.rings[-1].append([round(self.GRID * number) for number in point])
+
+    def _curveToOne(self, *points):
+        start = self._getCurrentPoint()
+        for t in (i / self.LINES for i in range(1, self.LINES + 1)):
+            weights = ((1 - t) ** 3, 3 * (1 - t) ** 2 * t, 3 * (1 - t) * t ** 2, t ** 3)
+            self._lineTo([sum(w * p[k] for w, p in zip(weights, (start, *points))) for k in (0, 1)])
+
+
+def count_parts(font, character, wider):
+    """Components and holes of a glyph, its outlines `wider` by so many units; none smaller than 20 square thousandths of the em."""
+    glyphs = font.getGlyphSet()
+    pen, union = Polygons(glyphs), pyclipper.Pyclipper()
+    glyphs[font.getBestCmap()[ord(character)]].draw(pen)
+    union.AddPaths(pen.rings, pyclipper.PT_SUBJECT, True)
+    rings = union.Execute(pyclipper.CT_UNION, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO)
+    if wider:
+        offset = pyclipper.PyclipperOffset()
+        offset.AddPaths(rings, pyclipper.JT_MITER, pyclipper.ET_CLOSEDPOLYGON)
+        rings = offset.Execute(wider * Polygons.GRID)
+    least = 20 * (Polygons.GRID * font['head'].unitsPerEm / 1000) ** 2
+    areas = [pyclipper.Area(ring) for ring in rings]
+    return sum(area > least for area in areas), sum(area < -least for area in areas)
+
+
+class Sampled(cli.Test):
+    """Another union than the engine's, at every hundredth of T that the report allows beyond the ends."""
+
+    LETTERS = LETTERS[:62]
+    NEAR = 0.005 # whole units, and steps of the search for a limit: so close to it parts may have met
+
+    def check(self, first, second):
+        self.made('report', first, second, '--text', self.LETTERS, '-q', '-o', 'x.json')
+        glyphs = json.loads(self.path('x.json').read_text())['glyphs']
+        reach = {glyph['character']: glyph['reach'] for glyph in glyphs if 'character' in glyph}
+        self.assertEqual(set(reach), set(self.LETTERS))
+        for end, step in ((0, -1), (1, 1)):
+            self.check_end(first, second, end, [round(end + step * i / 100, 2) for i in range(101)], reach)
+
+    def check_end(self, first, second, end, places, reach):
+        self.made('blend', first, second, '--text', self.LETTERS, '--at', ','.join(f'{t:g}' for t in places), '-q', '-o', 'x.ttf')
+        counts = {}
+        for t in places:
+            font = ttLib.TTFont(self.path(f'x-{t:g}.ttf'))
+            for character, (least, most) in reach.items():
+                if t == end or least + self.NEAR <= t <= most - self.NEAR or t in (-1, 2) and t in (least, most):
+                    self.check_glyph(font, character, t, counts)
+        self.assertEqual(len(counts), len(reach))
+
+    def check_glyph(self, font, character, t, counts):
+        """What whole units part or close is together or open where the outlines are a unit wider or narrower."""
+        wanted = counts.setdefault(character, count_parts(font, character, 0))
+        self.assertTrue(any(count_parts(font, character, wider) == wanted for wider in (0, 1, -1)), (character, t, wanted))
+
+    def test_a_family_keeps_its_parts(self):
+        self.check(f'{cli.INTER}@wght=400', f'{cli.INTER}@wght=700')
+
+    def test_a_sans_and_a_serif_keep_theirs(self):
+        self.check(cli.DEBIAN / 'truetype/dejavu/DejaVuSans.ttf', cli.SERIF)
 
 
 class Beyond(cli.Test):
